@@ -1,6 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/contact/half_space/bonded_layer.h>
 
+#include <boost/math/special_functions/bessel.hpp>
+
 #include <cmath>
 
 namespace vfife
@@ -59,7 +61,7 @@ namespace vfife
       {
         double sum = 0.;
         for (unsigned int i = 0; i <= n_waves; ++i)
-          sum += weights[i] * std::cyl_bessel_j(0., i * dk * j * step);
+          sum += weights[i] * boost::math::cyl_bessel_j(0, i * dk * j * step);
         values_.push_back(sum);
       }
   }

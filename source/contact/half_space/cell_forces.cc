@@ -34,6 +34,7 @@ namespace vfife
       Eigen::VectorXd        direction;
       double                 closing = 0., square = 1., largest = 0.;
       bool                   conjugate = false;
+      bool                   follows   = false; ///< deflections were changed by those of a step
 
       /** Gaps of now; closed on the average where cells carry. */
       Eigen::VectorXd find_gaps()
@@ -88,17 +89,27 @@ namespace vfife
             }
         // One cell alone has nothing to share out.
         const double length = against > 0. ? along / against : 0.;
-        conjugate           = true;
+        conjugate = follows = true;
         for (Eigen::Index i = 0; i < q.size(); ++i)
           if (q[i] > 0.)
-            q[i] = std::max(q[i] - length * direction[i], 0.);
+            {
+              q[i] -= length * direction[i];
+              if (!(q[i] > 0.))
+                {
+                  q[i]    = 0.;
+                  follows = false;
+                }
+            }
           else if (h[i] < 0.)
             {
               // A cell that is penetrated carries from now on, and gradients begin anew.
               q[i]      = -(length > 0. ? length : 1. / (against + 1e-300)) * h[i];
-              conjugate = false;
+              conjugate = follows = false;
             }
-        q *= load / q.sum();
+        const double factor = load / q.sum();
+        q *= factor;
+        if (follows)
+          deflections = factor * (deflections - length * change);
       }
     };
 
@@ -182,10 +193,16 @@ namespace vfife
     CellForces result;
     for (result.iterations = 0;; ++result.iterations)
       {
-        now.deflections         = deflect(now.q);
+        if (!now.follows)
+          now.deflections = deflect(now.q);
         const Eigen::VectorXd h = now.find_gaps();
         if (now.largest <= tolerance * now.deflections.lpNorm<Eigen::Infinity>())
           {
+            if (now.follows) // round-off of the steps
+              {
+                now.follows = false;
+                continue;
+              }
             result.forces  = now.q.cwiseQuotient(arms);
             result.gaps    = h.cwiseProduct(arms);
             result.closing = now.closing;

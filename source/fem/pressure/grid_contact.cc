@@ -270,7 +270,8 @@ namespace vfife
           for (const GridOfContact &grid : grids_)
             {
               const Eigen::Index n = grid.n_taken;
-              gaps.segment(first, n) += grid.flexibility * f.segment(first, n);
+              gaps.segment(first, n) +=
+                grid.flexibility.selfadjointView<Eigen::Lower>() * f.segment(first, n);
               first += n;
             }
           return gaps;

@@ -151,14 +151,14 @@ namespace vfife
   }
 
 
-  Eigen::VectorXd PenaltyCalibration::Touch::press(const Eigen::VectorXd &penalties) const
+  Eigen::VectorXd PenaltyCalibration::Touch::press(const Eigen::VectorXd &penalties)
   {
     // h = -(gaps + flexibility f) and f = penalty area h, for the points with h > 0.
-    const Eigen::Index        n = gaps.size();
-    std::vector<Eigen::Index> active;
-    for (Eigen::Index k = 0; k < n; ++k)
-      if (gaps[k] < 0.)
-        active.push_back(k);
+    const Eigen::Index n = gaps.size();
+    if (active.empty())
+      for (Eigen::Index k = 0; k < n; ++k)
+        if (gaps[k] < 0.)
+          active.push_back(k);
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(n);
     for (unsigned int i = 0; i < most_sets; ++i)
       {
@@ -191,7 +191,7 @@ namespace vfife
   }
 
 
-  double PenaltyCalibration::Touch::find_factor(const Eigen::VectorXd &penalties) const
+  double PenaltyCalibration::Touch::find_factor(const Eigen::VectorXd &penalties)
   {
     // The moment grows with the penalty.
     const auto lack = [&](const double log_factor) {
@@ -256,7 +256,7 @@ namespace vfife
   }
 
 
-  PointPenalties PenaltyCalibration::find() const
+  PointPenalties PenaltyCalibration::find()
   {
     if (touches_.empty())
       throw NumericalError("no tooth pair carries a load by which its penalty could be found");
@@ -285,7 +285,7 @@ namespace vfife
         field = spread(levels, forces);
       }
     double sum = 0, forces_sum = 0, moments = 0;
-    for (const Touch &touch : touches_)
+    for (Touch &touch : touches_)
       {
         const Eigen::VectorXd penalties = penalties_of(touch), f = touch.press(penalties);
         found.left += std::abs(f.dot(touch.arms) - touch.moment);

@@ -36,7 +36,7 @@ namespace vfife
              const std::vector<GridPressure>   &grids);
 
     /** Throws NumericalError where no contact was added. */
-    PointPenalties find() const;
+    PointPenalties find();
 
   private:
     /** Two teeth in contact. */
@@ -49,11 +49,12 @@ namespace vfife
       Eigen::MatrixXd           flexibility; ///< of the elements between the points [mm/N]
       double                    moment = 0;  ///< on the grid
       double                    width  = 0;  ///< of the contact [mm]
+      std::vector<Eigen::Index> active;      ///< that pressed last, from which press() starts
 
       /** Forces of springs with @p penalties. */
-      Eigen::VectorXd press(const Eigen::VectorXd &penalties) const;
+      Eigen::VectorXd press(const Eigen::VectorXd &penalties);
       /** The factor of @p penalties with which the springs have the moment of the grid. */
-      double find_factor(const Eigen::VectorXd &penalties) const;
+      double find_factor(const Eigen::VectorXd &penalties);
     };
 
     /** At each point of a group: logarithms of the touches' penalties @p levels, weighted by the
