@@ -26,9 +26,11 @@ namespace vfife
     constexpr double largest_factor = 1.5, least_factor = .02;
     /** Gaps up to so many times the deepest penetration are looked at: softer springs have wider
      * contacts. */
-    constexpr double       reach_factor = 6.;
-    constexpr unsigned int n_rounds     = 8;  ///< of penalties and their spreading over the points
-    constexpr unsigned int most_sets    = 60; ///< of points that press
+    constexpr double reach_factor = 6.;
+    /** Squares of distances over the width: the weights of farther points are round-off. */
+    constexpr double       farthest  = 20.;
+    constexpr unsigned int n_rounds  = 8;  ///< of penalties and their spreading over the points
+    constexpr unsigned int most_sets = 60; ///< of points that press
     constexpr unsigned int most_iterations = 60; ///< of the search for a factor
 
     /** Six digits: then any number of ranks has the same penalties, whose sums differ in the last
@@ -246,6 +248,8 @@ namespace vfife
               {
                 const double distance = (places_[touches_[t].points[k]] - x).squaredNorm() /
                                         (touches_[t].width * touches_[t].width);
+                if (distance - nearest > farthest)
+                  continue;
                 const double weight = forces[t][k] * std::exp(-2. * (distance - nearest));
                 sum += weight * levels[t];
                 weights += weight;
