@@ -91,6 +91,11 @@ namespace vfife
                    poissons_ratio,
                    "Poisson's ratio, at least 0 and below 0.5",
                    Range::between(0., 0.499));
+    declare_quantity(prm,
+                     "thermal expansion",
+                     expansion,
+                     "1/K",
+                     "Coefficient of linear thermal expansion, for bodies with a temperature");
   }
 
   std::vector<std::string> Material::find_doubts() const

@@ -38,8 +38,11 @@ namespace vfife
   void create_triangulation(BodyMesh                        &mesh,
                             const std::vector<Vector3>      &nodes,
                             const std::vector<CellNodes>    &hexahedra,
-                            const std::vector<unsigned int> &regions)
+                            const std::vector<unsigned int> &regions,
+                            const unsigned int               n_sectors)
   {
+    mesh.structure = BodyStructure(n_sectors, nodes.size(), hexahedra.size());
+
     std::vector<dealii::Point<3>> points;
     points.reserve(nodes.size());
     for (const Vector3 &node : nodes)

@@ -4,13 +4,26 @@
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace vfife
 {
   Body::Body(std::string name, std::unique_ptr<BodyMesh> mesh, const Material &material)
+    : Body(std::move(name), std::vector<Material>{material}, std::move(mesh))
+  {
+  }
+
+  Body::Body(std::string name, std::vector<Material> materials, std::unique_ptr<BodyMesh> mesh)
     : name_(std::move(name))
     , mesh_(std::move(mesh))
-    , material_(material)
+    , materials_(std::move(materials))
   {
+    // A triangulation that was not made by create_triangulation() has one sector.
+    if (mesh_->structure.elements_per_sector() == 0)
+      mesh_->structure =
+        BodyStructure(1, mesh_->triangulation.n_vertices(), mesh_->triangulation.n_active_cells());
+
     // Plain arrays for the kernels: places, elements and masses in the order of the triangulation's
     // vertices and active cells. deal.II's order of a cell's vertices is that of HexahedronNodes.
     const auto &vertices = mesh_->triangulation.get_vertices();
@@ -42,7 +55,7 @@ namespace vfife
                              ") mm of the body frame is inverted; change the mesh or body sizes");
           }
         // M_a = sum over elements of rho int N_a dV
-        const auto masses = compute_lumped_mass(nodes, material_.density);
+        const auto masses = compute_lumped_mass(nodes, material(e).density);
         for (unsigned int i = 0; i < 8; ++i)
           node_masses_[elements_[e][i]] += masses[i];
       }
@@ -63,9 +76,61 @@ namespace vfife
     return *mesh_;
   }
 
-  const Material &Body::material() const
+  const BodyStructure &Body::structure() const
   {
-    return material_;
+    return mesh_->structure;
+  }
+
+  const std::vector<Material> &Body::materials() const
+  {
+    return materials_;
+  }
+
+  const Material &Body::material(const unsigned int element) const
+  {
+    return materials_[structure().material_of(element)];
+  }
+
+  const Material &Body::material_under(const std::vector<unsigned int> &nodes,
+                                       const std::string               &what) const
+  {
+    if (materials_.size() == 1)
+      return materials_.front();
+    std::vector<bool> among(n_nodes(), false);
+    for (const unsigned int node : nodes)
+      among[node] = true;
+    const Material *found = nullptr;
+    for (unsigned int e = 0; e < n_elements(); ++e)
+      {
+        // Four corners that differ in two of the three directions are a face.
+        bool has_face = false;
+        for (unsigned int d = 0; d < 3; ++d)
+          for (unsigned int side = 0; side < 2; ++side)
+            {
+              bool whole = true;
+              for (unsigned int v = 0; v < 8; ++v)
+                whole = whole && ((v >> d & 1u) != side || among[elements_[e][v]]);
+              has_face = has_face || whole;
+            }
+        if (!has_face)
+          continue;
+        if (found != nullptr && found != &material(e))
+          throw InputError("body \"" + name_ + "\": expected one material under " + what +
+                           ", got \"" + found->name + "\" and \"" + material(e).name +
+                           "\". Give them surfaces of their own.");
+        found = &material(e);
+      }
+    if (found == nullptr)
+      throw InputError("body \"" + name_ + "\": no element has a face on " + what);
+    return *found;
+  }
+
+  double Body::sound_speed() const
+  {
+    double speed = 0;
+    for (const Material &material : materials_)
+      speed = std::max(speed, std::sqrt(material.youngs_modulus / material.density));
+    return speed;
   }
 
   unsigned int Body::n_nodes() const
@@ -99,6 +164,19 @@ namespace vfife
     for (unsigned int i = 0; i < 8; ++i)
       nodes.col(i) = node_positions_[elements_[element][i]];
     return nodes;
+  }
+
+  void Body::set_initial_strains(std::vector<double> strains)
+  {
+    initial_strains_ = std::move(strains);
+  }
+
+  HexahedronNodes Body::stress_free_nodes(const unsigned int element) const
+  {
+    HexahedronNodes X = element_nodes(element);
+    if (has_initial_strains())
+      X = expand_nodes(X, initial_strain(element));
+    return X;
   }
 
   void Body::add_masses(const std::vector<double> &masses)

@@ -34,11 +34,6 @@ namespace vfife
     return body.axis.direction.dot(compute_sector_axis(body).direction) < 0 ? -1. : 1.;
   }
 
-  unsigned int nodes_per_sector(const Body &body)
-  {
-    return body.n_nodes() / body.mesh().n_sectors;
-  }
-
   bool turns_about_sector_axis(const Body &body)
   {
     constexpr double tolerance = 1e-6;

@@ -23,7 +23,7 @@ namespace vfife
                      const std::vector<SectorReading> &readings)
     {
       const std::string  name       = "body \"" + body.name() + "\": ";
-      const unsigned int per_sector = nodes_per_sector(body);
+      const unsigned int per_sector = body.structure().nodes_per_sector();
       for (const unsigned int node : touch_nodes)
         if (node >= per_sector)
           throw InputError(name + "node " + std::to_string(node) +
@@ -66,8 +66,7 @@ namespace vfife
       for (const Vector3 &x : body.node_positions())
         radius =
           std::max(radius, body.axis.direction.cross(body.placement(x) - body.axis.point).norm());
-      const Material &material = body.material();
-      return 3e-3 * std::sqrt(material.youngs_modulus / material.density) / radius;
+      return 3e-3 * body.sound_speed() / radius;
     }
 
     /** What a rank finds of the harmonics that are its own. */
@@ -220,7 +219,7 @@ namespace vfife
     check_nodes(sector.body(), touch_nodes, readings);
     ReducedBody reduced;
     reduced.n_sectors        = sector.n_sectors();
-    reduced.nodes_per_sector = nodes_per_sector(sector.body());
+    reduced.nodes_per_sector = sector.body().structure().nodes_per_sector();
     reduced.sector_angle     = sector.sector().sector_angle();
     reduced.rate             = rate;
     reduced.cutoff           = options.cutoff;

@@ -54,7 +54,7 @@ namespace vfife
       const MeanMotion::Motion at_rest = set.at_rest();
       MotionOfRing             ring{name, set.centre(), {}};
       for (std::size_t i = 0; i < nodes.size(); ++i)
-        if (nodes[i] < nodes_per_sector(body))
+        if (body.structure().sector_of(nodes[i]) == 0)
           ring.motion.emplace_back(nodes[i], set.derivative(i, at_rest));
       return ring;
     }

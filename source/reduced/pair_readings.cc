@@ -41,13 +41,12 @@ namespace vfife
     SectorReading
     make_turn(const Body &body, const std::string &name, const std::vector<unsigned int> &nodes)
     {
-      SectorReading      reading{name, {}, {}};
-      const unsigned int per_sector = nodes_per_sector(body);
-      double             mass       = 0;
+      SectorReading reading{name, {}, {}};
+      double        mass = 0;
       for (const unsigned int node : nodes)
         mass += body.node_masses()[node];
       for (const unsigned int node : nodes)
-        if (node < per_sector)
+        if (body.structure().sector_of(node) == 0)
           {
             const Vector3 arm = body.axis.direction.cross(
               body.placement(body.node_positions()[node]) - body.axis.point);
@@ -64,8 +63,7 @@ namespace vfife
                        const unsigned int               largest,
                        std::vector<SectorReading>      &readings)
     {
-      const unsigned int per_sector = nodes_per_sector(body);
-      double             mass       = 0;
+      double mass = 0;
       for (const unsigned int node : rim)
         mass += body.node_masses()[node];
       for (unsigned int c = 0; c < 3; ++c)
@@ -74,7 +72,7 @@ namespace vfife
             SectorReading real{reading::of_rim(c, n, false), {}, {}},
               imaginary{reading::of_rim(c, n, true), {}, {}};
             for (const unsigned int node : rim)
-              if (node < per_sector)
+              if (body.structure().sector_of(node) == 0)
                 {
                   const Matrix3 axes = compute_cylindrical_axes(body, body.node_positions()[node]);
                   const std::complex<double> wave =
@@ -122,7 +120,7 @@ namespace vfife
                     x(c, k) += sign * small_way;
                     derivative.col(c) +=
                       sign / (2. * small_way) *
-                      compute_nodal_stresses(X, x, body.material(), stiffness, FrameKind::polar)
+                      compute_nodal_stresses(X, x, body.material(e), stiffness, FrameKind::polar)
                         .col(corner);
                   }
             }
@@ -139,12 +137,11 @@ namespace vfife
 
   std::vector<unsigned int> list_touch_nodes(const Model &model, const unsigned int body)
   {
-    const unsigned int     per_sector = nodes_per_sector(model.bodies[body]);
     std::set<unsigned int> nodes;
     const auto             add = [&](const unsigned int b, const std::string &surface) {
       if (b == body)
         for (const unsigned int node : model.bodies[b].mesh().surfaces.at(surface).nodes)
-          nodes.insert(node % per_sector);
+          nodes.insert(model.bodies[b].structure().first_copy(node));
     };
     for (const ContactPair &pair : model.contacts)
       {
@@ -172,7 +169,7 @@ namespace vfife
       }
     for (const Probe &probe : model.probes)
       if (probe.body == b)
-        add_probe(body, probe.name, probe.node % nodes_per_sector(body), stiffness, readings);
+        add_probe(body, probe.name, body.structure().first_copy(probe.node), stiffness, readings);
     return readings;
   }
 
@@ -195,7 +192,8 @@ namespace vfife
     // its axes r, theta, z turn with the sector.
     const Body   &body = model.bodies[probe.body];
     const Matrix3 axes =
-      compute_cylindrical_axes(body, body.node_positions()[probe.node % nodes_per_sector(body)]);
+      compute_cylindrical_axes(body,
+                               body.node_positions()[body.structure().first_copy(probe.node)]);
     const Eigen::Map<const Stress> stress(components.data() + 3);
     ProbeValue                     value;
     value.displacement = axes.transpose() * Eigen::Map<const Vector3>(components.data());

@@ -31,7 +31,7 @@ namespace vfife
 
     void pass_mesh(const Body &body, ByteStream &stream)
     {
-      unsigned int         n_sectors = body.mesh().n_sectors;
+      unsigned int         n_sectors = body.structure().n_sectors();
       std::vector<Vector3> nodes     = body.node_positions();
       auto                 elements  = body.elements();
       stream.pass(n_sectors, nodes, elements);
@@ -39,9 +39,15 @@ namespace vfife
 
     void pass_material(const Body &body, ByteStream &stream)
     {
-      Material material = body.material();
-      double   added    = body.added_mass();
-      stream.pass(material.density, material.youngs_modulus, material.poissons_ratio, added);
+      double added = body.added_mass();
+      for (Material material : body.materials())
+        stream.pass(material.density, material.youngs_modulus, material.poissons_ratio);
+      stream.pass(added);
+      for (unsigned int e = 0; body.materials().size() > 1 && e < body.n_elements(); ++e)
+        {
+          unsigned int number = body.structure().material_of(e);
+          stream.pass(number);
+        }
     }
 
     void pass_hub(const Model &model, const unsigned int body, ByteStream &stream)

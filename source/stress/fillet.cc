@@ -70,10 +70,11 @@ namespace vfife
       first_sectors(const Body &body, const std::string &set, const unsigned int n_sectors)
       {
         std::vector<unsigned int> nodes = body.node_set(set);
-        const unsigned int        end   = n_sectors * nodes_per_sector(body);
         nodes.erase(std::remove_if(nodes.begin(),
                                    nodes.end(),
-                                   [end](const unsigned int node) { return node >= end; }),
+                                   [&](const unsigned int node) {
+                                     return body.structure().sector_of(node) >= n_sectors;
+                                   }),
                     nodes.end());
         std::sort(nodes.begin(), nodes.end());
         return nodes;
@@ -190,11 +191,16 @@ namespace vfife
 
   Fillet::Fillet(const Body &body, const std::string &side)
     : side_(side)
-    , n_teeth_(body.mesh().n_sectors)
-    , nodes_per_tooth_(nodes_per_sector(body))
+    , structure_(&body.structure())
   {
     find_nodes(body);
     measure(body);
+    material_ = body.material_under(nodes_, side + " fillets");
+  }
+
+  unsigned int Fillet::n_teeth() const
+  {
+    return structure_->n_sectors();
   }
 
   void Fillet::find_nodes(const Body &body)
@@ -236,7 +242,7 @@ namespace vfife
   unsigned int
   Fillet::node(const unsigned int column, const unsigned int row, const unsigned int tooth) const
   {
-    return (nodes_[index(column, row)] + tooth * nodes_per_tooth_) % (n_teeth_ * nodes_per_tooth_);
+    return structure_->copy(nodes_[index(column, row)], tooth);
   }
 
   std::array<unsigned int, 4>

@@ -39,9 +39,8 @@ namespace vfife
       const Transmission  &t         = *model.transmission;
       const double         frequency = t.driver_rate * t.driver_teeth / (2. * pi);
       // As a free ring at the mean contact: the waves are those of the whole gear.
-      const Material &material = model.bodies[t.driven].material();
-      const double    ring     = std::sqrt(material.youngs_modulus / material.density) / t.arm;
-      const double    cutoff =
+      const double ring = model.bodies[t.driven].sound_speed() / t.arm;
+      const double cutoff =
         2. * pi * options.find_cutoff(frequency, ReducedOptions::rings_of_waves * ring / (2. * pi));
       std::vector<ReducedBody> bodies;
       for (unsigned int b = 0; b < model.bodies.size(); ++b)

@@ -66,7 +66,7 @@ namespace
         const Model  model      = make_model(5, 6, 0.);
         OneSolver    run(model, options);
         const Body  &floor  = model.bodies[0];
-        const double m_by_A = floor.material().density * 0.25 / 2, dt = run.state.dt;
+        const double m_by_A = floor.materials().front().density * 0.25 / 2, dt = run.state.dt;
         const double part = run.solver.contact().penalties()[0] / (0.5 * m_by_A / (dt * dt));
         check_close("matching surfaces: penalty", part, 1., 1e-12);
         check_close("step", dt / (safety * run.solver.element_step()), std::sqrt(0.75), 1e-12);

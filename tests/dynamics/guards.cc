@@ -48,7 +48,8 @@ namespace
   {
     Model model;
     Body  block("block", make_block(Vector3(10, 2, 2), {{5, 1, 1}}), Material());
-    block.velocity[0] = 2 * std::sqrt(block.material().youngs_modulus / block.material().density);
+    block.velocity[0] =
+      2 * std::sqrt(block.materials().front().youngs_modulus / block.materials().front().density);
     model.add_body(std::move(block));
     model.constraints.push_back({"wall", ConstraintKind::held, 0, model.bodies[0].node_set("x+")});
     DynamicsOptions options = undamped();

@@ -50,7 +50,7 @@ namespace
     const Model model = make_model(penalty);
     OneSolver   run(model, undamped());
 
-    const Material &material = model.bodies[0].material();
+    const Material &material = model.bodies[0].materials().front();
     const double    mass     = model.bodies[0].mass(),
                  c           = std::sqrt(material.youngs_modulus / material.density);
     const double meeting = gap / speed, wave = 2 * length / c;

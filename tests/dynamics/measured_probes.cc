@@ -40,7 +40,7 @@ namespace
     run.solver.measure_at_rest(run.state);
     const ProbeValue &turned = run.state.measured.probes.at(0),
                      &fixed  = run.state.measured.probes.at(1);
-    const Material &m        = body.material();
+    const Material &m        = body.materials().front();
     const double    plane = 2. * (m.lambda() + m.mu()) * strain, axial = 2. * m.lambda() * strain;
     check_below("displacement along r, theta, z less 30 strain along r [mm]",
                 (turned.displacement - Vector3(30. * strain, 0., 0.)).norm(),

@@ -51,7 +51,7 @@ namespace
       options.step_bound = StepBound::element;
     OneSolver run(model, options);
 
-    const Material &material = model.bodies[0].material();
+    const Material &material = model.bodies[0].materials().front();
     const double    mass     = model.bodies[0].mass();
     // F = k d^1.5 of a sphere on a rigid plane; Johnson 1985, section 11.4
     const double k = 4. / 3. * material.youngs_modulus /
@@ -145,7 +145,6 @@ namespace
       }
     auto mesh = std::make_unique<BodyMesh>();
     create_triangulation(*mesh, nodes, cells);
-    mesh->sector.assign(cells.size(), 0);
     const auto side = [&](const std::string &name, const auto &selected) {
       add_named_side(*mesh, name, [&](const unsigned int i) { return selected(nodes[i]); });
     };

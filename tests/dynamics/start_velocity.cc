@@ -67,7 +67,8 @@ namespace
       return (r - ring.axis.direction.dot(r) * ring.axis.direction).norm();
     };
     // Thin ring: it grows by rho omega^2 r^3/E and breathes with sqrt(E/rho)/r.
-    const double middle = 22, rho = ring.material().density, E = ring.material().youngs_modulus;
+    const double middle = 22, rho = ring.materials().front().density,
+                 E         = ring.materials().front().youngs_modulus;
     const double growth    = rho * rate * rate * std::pow(middle, 3) / E;
     const double breathing = std::sqrt(E / rho) / middle, start = radius(run.state);
     check_close("growth of the inner radius over that of a thin ring",

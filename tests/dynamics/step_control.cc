@@ -40,7 +40,7 @@ namespace
     for (unsigned int e = 0; e < body.n_elements(); ++e)
       {
         const Matrix24 Ke = compute_stiffness(body.element_nodes(e),
-                                              body.material(),
+                                              body.materials().front(),
                                               StiffnessKind::incompatible_modes);
         for (unsigned int a = 0; a < 8; ++a)
           for (unsigned int b = 0; b < 8; ++b)
@@ -176,10 +176,12 @@ namespace
     Model              model   = make_model(0.3);
     const double       mass    = model.bodies[0].mass();
     const auto        &middle  = model.bodies[0].element_nodes(2);
-    const double       density = model.bodies[0].material().density;
-    const double       thin    = compute_largest_frequency(
-      compute_stiffness(middle, model.bodies[0].material(), StiffnessKind::incompatible_modes),
-      compute_lumped_mass(middle, density));
+    const double       density = model.bodies[0].materials().front().density;
+    const double       thin =
+      compute_largest_frequency(compute_stiffness(middle,
+                                                  model.bodies[0].materials().front(),
+                                                  StiffnessKind::incompatible_modes),
+                                compute_lumped_mass(middle, density));
 
     DynamicsOptions options    = undamped();
     options.step_bound         = StepBound::element;

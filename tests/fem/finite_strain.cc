@@ -239,7 +239,9 @@ namespace
     const SystemMatrices &matrices = solver.matrices();
     const auto nodes = [&d](const unsigned int e) -> HexahedronNodes { return d.element_nodes(e); };
     const auto stiffness = [&](const unsigned int e) {
-      return compute_stiffness(nodes(e), body.material(), StiffnessKind::incompatible_modes);
+      return compute_stiffness(nodes(e),
+                               body.materials().front(),
+                               StiffnessKind::incompatible_modes);
     };
     const auto tangent = [&](const std::vector<double> &u) {
       return add_scaled(assembly.matrix([&](const unsigned int e) {
@@ -255,11 +257,14 @@ namespace
         OwnedVector q = matrices.spinning_residual(u, rates, true);
         q             = add_scaled(std::move(q), 1., assembly.vector([&](const unsigned int e) {
           const Eigen::VectorXd v = d.gather(e, u);
-          return Eigen::VectorXd(
-            compute_element_state(
-              d.element_nodes(e), body.material(), options.element, options.strain, v, false)
-              .forces -
-            turned_forces(nodes(e), stiffness(e), v));
+          return Eigen::VectorXd(compute_element_state(d.element_nodes(e),
+                                                       body.materials().front(),
+                                                       options.element,
+                                                       options.strain,
+                                                       v,
+                                                       false)
+                                   .forces -
+                                 turned_forces(nodes(e), stiffness(e), v));
         }));
         const DirectSolver factors(assembly.pattern(), tangent(u), communicator);
         factors.solve(q.data(), 1);

@@ -185,8 +185,8 @@ namespace
                 edges.push_back({{patch[flank.facets[f][k]], patch[flank.facets[f][(k + 1) % 4]]}});
           near[b]             = find_near_layer(d, patch, {}, depth, edges);
           side.near           = &near[b];
-          side.youngs_modulus = model.bodies[b].material().youngs_modulus;
-          side.poissons_ratio = model.bodies[b].material().poissons_ratio;
+          side.youngs_modulus = model.bodies[b].materials().front().youngs_modulus;
+          side.poissons_ratio = model.bodies[b].materials().front().poissons_ratio;
           surfaces[b] = std::make_unique<SurfaceGeometry>(flank, ContactSurfaceKind::true_flank);
         }
       compliance->watch(points);

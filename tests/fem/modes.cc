@@ -50,7 +50,7 @@ namespace
         options.element           = choice.second;
         options.n_modes           = 9;
         const ModalResult result  = solve(model, options, communicator);
-        const Material   &m       = model.bodies[0].material();
+        const Material   &m       = model.bodies[0].materials().front();
         const double      bending = m.youngs_modulus / (12. * (1. - .09)); // thickness 1
         const double      scale   = std::sqrt(bending / m.density) / (2. * pi * 100. * 100.);
         check("modes are counted", result.counted);
@@ -96,13 +96,12 @@ namespace
       }
     auto mesh = std::make_unique<BodyMesh>();
     create_triangulation(*mesh, nodes, cells);
-    mesh->sector.assign(cells.size(), 0);
     std::vector<unsigned int> inner;
     for (const unsigned int i : body.node_set("inner"))
       inner.push_back(moved(i));
     std::sort(inner.begin(), inner.end());
     Model model;
-    model.add_body(Body("plate", std::move(mesh), body.material()));
+    model.add_body(Body("plate", std::move(mesh), body.materials().front()));
     model.constraints.push_back({"clamp", ConstraintKind::held, 0, inner});
     return model;
   }
@@ -222,7 +221,7 @@ namespace
         }
     // First bending across the thin side of a free beam (Timoshenko's shear and inertia lower the
     // slender 4.7300^2 by some percent at 60:8).
-    const Material &m = model.bodies[0].material();
+    const Material &m = model.bodies[0].materials().front();
     const double    slender =
       22.3733 / (2. * pi) * std::sqrt(m.youngs_modulus * 64. / (12. * m.density)) / 3600.;
     check_close("first bending over the slender beam", reference[0] / slender, .95, .03);

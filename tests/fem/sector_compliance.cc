@@ -54,9 +54,9 @@ namespace
     check_below(name + ": forces", difference(bodies.solve(forces), sectors.solve(forces)), 1e-8);
 
     const unsigned int n          = model.bodies[0].n_nodes(),
-                       per_sector = n / model.bodies[0].mesh().n_sectors;
+                       per_sector = n / model.bodies[0].mesh().structure.n_sectors();
     std::vector<unsigned int> nodes;
-    for (const unsigned int sector : {0u, 1u, 4u, model.bodies[0].mesh().n_sectors - 1})
+    for (const unsigned int sector : {0u, 1u, 4u, model.bodies[0].mesh().structure.n_sectors() - 1})
       for (unsigned int i = 0; i < per_sector; i += 1 + per_sector / 9)
         nodes.push_back(sector * per_sector + i);
     std::vector<unsigned int> rows(3 * nodes.size());

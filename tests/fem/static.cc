@@ -156,7 +156,7 @@ namespace
                               communicator);
     StaticLoads        loads;
     loads.body_force = [&](const Vector3 &x) {
-      return manufactured_force(x, model.bodies[0].material());
+      return manufactured_force(x, model.bodies[0].materials().front());
     };
     const StaticResult    result = solver.solve(loads);
     const Discretization &d      = solver.discretization();
@@ -275,7 +275,7 @@ namespace
     torque.value = 1e5;
     model.torques.push_back(torque);
     const unsigned int node  = torque.nodes.front();
-    const double       shear = tube.material().mu();
+    const double       shear = tube.materials().front().mu();
     // Polar moment of the polygon that the mesh is: that of the ring times its area's ratio, within
     // a few 1e-3 for 48 sides.
     const double exact = 1e5 * 60. / (shear * pi / 2. * (std::pow(22., 4) - std::pow(20., 4)));

@@ -23,7 +23,7 @@ namespace
   void check_boundary(const BodyMesh &mesh, const unsigned int faces_per_sector)
   {
     check(mesh.name + ": faces of the boundary",
-          check_closed(mesh) == std::size_t(faces_per_sector) * mesh.n_sectors);
+          check_closed(mesh) == std::size_t(faces_per_sector) * mesh.structure.n_sectors());
   }
 
   /**
@@ -136,14 +136,14 @@ namespace
         const auto &nodes =
           mesh.node_sets.at(is_back ? node_set::node_A_back : node_set::node_A_front);
         const auto &face = mesh.node_sets.at(is_back ? node_set::web_back : node_set::web_front);
-        node_A_right     = node_A_right && nodes.size() == mesh.n_sectors;
+        node_A_right     = node_A_right && nodes.size() == mesh.structure.n_sectors();
         for (unsigned int k = 0; k < nodes.size(); ++k)
           {
             const Vector3 x = vertex(mesh, nodes[k]);
-            node_A_right    = node_A_right &&
-                           std::abs(std::hypot(x[0], x[1]) - options.hub_radius) < 1e-12 &&
-                           nodes[k] / (mesh.triangulation.n_vertices() / mesh.n_sectors) == k &&
-                           std::binary_search(face.begin(), face.end(), nodes[k]);
+            node_A_right =
+              node_A_right && std::abs(std::hypot(x[0], x[1]) - options.hub_radius) < 1e-12 &&
+              nodes[k] / (mesh.triangulation.n_vertices() / mesh.structure.n_sectors()) == k &&
+              std::binary_search(face.begin(), face.end(), nodes[k]);
             mean_z[is_back ? 1 : 0] += x[2] / nodes.size();
           }
       }
@@ -161,7 +161,7 @@ namespace
 
     // Web and hub come last in a sector. Pappus for web and hub; chords of 3-column sectors
     // take 1.2e-4 of it.
-    const unsigned int cells = mesh.triangulation.n_active_cells() / mesh.n_sectors;
+    const unsigned int cells = mesh.triangulation.n_active_cells() / mesh.structure.n_sectors();
     const unsigned int rim_cells =
       options.cells_lengthwise *
       ((options.flank_rows + 1) * options.cells_across + options.rim_rows * options.columns());

@@ -51,7 +51,7 @@ namespace
   void check_body(const GearMember &member, const GearBodyOptions &options)
   {
     const auto         mesh  = make_gear_body(member, options);
-    const unsigned int first = mesh->triangulation.n_vertices() / mesh->n_sectors;
+    const unsigned int first = mesh->triangulation.n_vertices() / mesh->structure.n_sectors();
     const Blank       &blank = member.blank();
     const auto         L_h   = [&](const Vector3 &x) {
       return blank.cone_coordinates({std::hypot(x[0], x[1]), x[2]});

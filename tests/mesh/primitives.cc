@@ -109,7 +109,9 @@ namespace
                 quality.volume,
                 pi * (64. - 25.) * 2. * std::sin(angle) / angle,
                 1e-10);
-    check("ring sectors", ring->n_sectors == 40 && ring->sector.back() == 39);
+    check("ring sectors",
+          ring->structure.n_sectors() == 40 &&
+            ring->structure.sector_of_element(ring->triangulation.n_active_cells() - 1) == 39);
     Vector3      area_vector;
     const double outer = area_of(ring->surfaces.at("outer"), area_vector);
     check_close("ring outer area", outer, 40. * 2. * 8. * std::sin(angle / 2.) * 2., 1e-10);

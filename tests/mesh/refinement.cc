@@ -149,7 +149,7 @@ namespace
 
     check(name + "cells",
           mesh->triangulation.n_active_cells() == 8 * coarse_mesh->triangulation.n_active_cells());
-    const unsigned int nodes = mesh->triangulation.n_vertices() / mesh->n_sectors;
+    const unsigned int nodes = mesh->triangulation.n_vertices() / mesh->structure.n_sectors();
     double             off   = 0.;
     for (unsigned int i = 0; i < mesh->triangulation.n_vertices(); ++i)
       off = largest_of(off,

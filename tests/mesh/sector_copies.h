@@ -31,15 +31,15 @@ inline vfife::Vector2 ends_of(const vfife::BodyMesh &mesh, const char *set)
 /** Node i of sector k is node i of sector 0 turned by k pitches, and so are cells. */
 inline void check_copies(const vfife::BodyMesh &mesh)
 {
-  const unsigned int nodes   = mesh.triangulation.n_vertices() / mesh.n_sectors;
-  const unsigned int cells   = mesh.triangulation.n_active_cells() / mesh.n_sectors;
+  const unsigned int nodes   = mesh.triangulation.n_vertices() / mesh.structure.n_sectors();
+  const unsigned int cells   = mesh.triangulation.n_active_cells() / mesh.structure.n_sectors();
   const unsigned int n       = mesh.triangulation.n_vertices();
   double             largest = 0.;
   for (unsigned int i = 0; i < n; ++i)
     {
       const vfife::Matrix3 rotation =
         vfife::rotation_about(vfife::Vector3::UnitZ(),
-                              2. * vfife::pi * (i / nodes) / mesh.n_sectors);
+                              2. * vfife::pi * (i / nodes) / mesh.structure.n_sectors());
       largest = largest_of(largest, (vertex(mesh, i) - rotation * vertex(mesh, i % nodes)).norm());
     }
   check_below(mesh.name + ": copies of the sector's nodes [mm]", largest, 1e-12);
@@ -49,7 +49,7 @@ inline void check_copies(const vfife::BodyMesh &mesh)
     {
       const unsigned int e = cell->active_cell_index(), k = e / cells;
       const auto         first = std::next(mesh.triangulation.begin_active(), e % cells);
-      same                     = same && mesh.sector[e] == k;
+      same                     = same && mesh.structure.sector_of_element(e) == k;
       for (unsigned int v = 0; v < 8; ++v)
         same = same && cell->vertex_index(v) == (first->vertex_index(v) + k * nodes) % n;
     }

@@ -98,9 +98,9 @@ subsection Material brass
 end
 )");
     const Body &made  = model.bodies.front();
-    check("material: its name", made.material().name == "brass");
+    check("material: its name", made.materials().front().name == "brass");
     check_close("material: mass of 1 cm^3 [kg]", 1e3 * made.mass(), .0085, 1e-15);
-    check_close("material: shear modulus [MPa]", made.material().mu(), 1e5 / 2.7, 1e-9);
+    check_close("material: shear modulus [MPa]", made.materials().front().mu(), 1e5 / 2.7, 1e-9);
   }
 
   void placed()
@@ -163,6 +163,47 @@ end
           make_model(body("set velocity = 1, 0, 0 m/s")).bodies[0].initial_velocity.empty());
   }
 
+  const std::string strip =
+    "set mesh = file\nset file = " + source_folder() + "/../../meshes/bimetal_strip.inp\n";
+
+  void composite()
+  {
+    const Model model =
+      make_model(body(strip + "set region materials = upper: brass\nset temperature = 10*x\n",
+                      "subsection Material brass\n set density = 8.5 g/cm^3\n"
+                      " set thermal expansion = 2e-5 1/K\nend\n"));
+    const Body &made  = model.bodies[0];
+    bool        right = true;
+    double      wrong = 0;
+    for (unsigned int e = 0; e < made.n_elements(); ++e)
+      {
+        const Vector3 middle = made.element_nodes(e).rowwise().mean();
+        right = right && made.material(e).name == (middle[2] > .5 ? "brass" : "steel");
+        wrong = largest_of(wrong,
+                           std::abs(made.initial_strain(e) -
+                                    (middle[2] > .5 ? 2e-5 : 1.2e-5) * 10. * middle[0]));
+      }
+    check("a region of the file has its own material", right);
+    check_close("mass of both halves [g]", 1e6 * made.mass(), .01 * (7.85 + 8.5), 1e-12);
+    check_below("strains of the temperature at the middles of elements", wrong, 1e-15);
+    std::vector<unsigned int> lid, end;
+    for (unsigned int i = 0; i < made.n_nodes(); ++i)
+      {
+        if (made.node_positions()[i][2] > 1. - 1e-9)
+          lid.push_back(i);
+        if (made.node_positions()[i][0] < 1e-9)
+          end.push_back(i);
+      }
+    check("one material under the upper face", made.material_under(lid, "lid").name == "brass");
+    print_refusal([&] { made.material_under(end, "surface \"end\""); });
+    refuse(body(strip + "set region materials = UPER: brass\n"));
+    refuse(body(strip + "set region materials = UPPER brass\n"));
+    refuse(body(strip + "set region materials = UPPER: brass, UPPER: iron\n"));
+    refuse(body("set region materials = UPPER: brass\n"));
+    refuse(body("set temperature = 20 K\n"));
+    refuse(body("set temperature = 1e5\n"));
+  }
+
   void refusals()
   {
     refuse("subsection Model\nend\n");
@@ -192,6 +233,7 @@ int main()
   placed();
   held_by_bearings();
   moving();
+  composite();
   refusals();
   return 0;
 }

@@ -545,7 +545,7 @@ namespace
   {
     const Model               model      = make_wheel(ConstraintKind::rigid_hub, 3000.);
     const Body               &body       = model.bodies[0];
-    const unsigned int        per_sector = nodes_per_sector(body);
+    const unsigned int        per_sector = body.structure().nodes_per_sector();
     std::vector<unsigned int> touch;
     for (const unsigned int node : body.node_set("outer"))
       if (node < per_sector)

@@ -22,7 +22,7 @@ int main(int argc, char **argv)
   for (unsigned int b = 0; b < model.bodies.size(); ++b)
     {
       const Body            &body       = model.bodies[b];
-      const unsigned int     per_sector = nodes_per_sector(body);
+      const unsigned int     per_sector = body.structure().nodes_per_sector();
       std::set<unsigned int> touch;
       for (const auto &surface : body.mesh().surfaces)
         for (const unsigned int node : surface.second.nodes)
@@ -39,8 +39,8 @@ int main(int argc, char **argv)
                                               world);
       if (world.is_root())
         {
-          std::cout << body.name() << ": " << body.mesh().n_sectors << " sectors of " << per_sector
-                    << " nodes, " << touch.size() << " touch, " << reduced.n_unknowns
+          std::cout << body.name() << ": " << body.mesh().structure.n_sectors() << " sectors of "
+                    << per_sector << " nodes, " << touch.size() << " touch, " << reduced.n_unknowns
                     << " unknowns, " << reduced.n_modes() << " modes in "
                     << reduced.harmonics.size() << " harmonics, factors " << reduced.memory
                     << " MB, left " << reduced.residual_left << ", " << MPI_Wtime() - start << " s"

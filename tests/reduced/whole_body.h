@@ -122,7 +122,7 @@ inline vfife::Model hang_in_bearings(vfife::Model       model,
 /** All nodes of sector 0. */
 inline std::vector<unsigned int> first_sector(const vfife::Body &body)
 {
-  std::vector<unsigned int> nodes(vfife::nodes_per_sector(body));
+  std::vector<unsigned int> nodes(body.structure().nodes_per_sector());
   std::iota(nodes.begin(), nodes.end(), 0u);
   return nodes;
 }
@@ -134,13 +134,13 @@ std::vector<double> whole_field(const vfife::Body &body, const Rows &rows)
 {
   const vfife::Vector3 axis = vfife::compute_sector_axis(body).direction;
   std::vector<double>  field;
-  for (unsigned int k = 0; k < body.mesh().n_sectors; ++k)
+  for (unsigned int k = 0; k < body.mesh().structure.n_sectors(); ++k)
     {
       const Eigen::VectorXd values = rows(k);
       const vfife::Matrix3  turn =
-        vfife::rotation_about(axis, 2. * vfife::pi * k / body.mesh().n_sectors) *
+        vfife::rotation_about(axis, 2. * vfife::pi * k / body.mesh().structure.n_sectors()) *
         body.placement.rotation;
-      for (unsigned int i = 0; i < vfife::nodes_per_sector(body); ++i)
+      for (unsigned int i = 0; i < body.structure().nodes_per_sector(); ++i)
         {
           const vfife::Vector3 u = turn * values.segment<3>(3 * i);
           field.insert(field.end(), u.data(), u.data() + 3);

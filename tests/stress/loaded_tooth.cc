@@ -55,7 +55,7 @@ namespace
       const std::vector<double> areas  = compute_nodal_areas(body, flank.nodes);
       const auto               &fillet = body.node_set(node_set::concave_fillet);
       for (std::size_t i = 0; i < flank.nodes.size(); ++i)
-        if (flank.nodes[i] < body.n_nodes() / body.mesh().n_sectors &&
+        if (flank.nodes[i] < body.n_nodes() / body.mesh().structure.n_sectors() &&
             !std::binary_search(fillet.begin(), fillet.end(), flank.nodes[i]))
           loads.nodal_forces[flank.nodes[i]] = -100. * areas[i] * flank.normals[i];
     }
@@ -79,7 +79,8 @@ namespace
                     moved.col(k) = u(facet[k]);
                   }
                 const PrincipalStresses stress = compute_principal_stresses(
-                  compute_surface_stress(FacetStrain(X).of_displacements(moved), body.material()));
+                  compute_surface_stress(FacetStrain(X).of_displacements(moved),
+                                         body.materials().front()));
                 found.tension     = largest_of(found.tension, stress.first);
                 found.compression = -largest_of(-found.compression, -stress.third);
               }
@@ -100,7 +101,7 @@ namespace
       std::vector<unsigned int> nodes;
       for (const char *set : {node_set::concave_fillet, node_set::convex_fillet})
         for (const unsigned int i : model.bodies[0].node_set(set))
-          if (i < model.n_nodes() / model.bodies[0].mesh().n_sectors)
+          if (i < model.n_nodes() / model.bodies[0].mesh().structure.n_sectors())
             nodes.push_back(i);
       return nodes;
     }
@@ -214,7 +215,7 @@ namespace
         for (std::size_t i = 0; i < line.size(); ++i)
           out << line[i] << (i + 1 == line.size() ? "\n" : i == 10 ? ",\n" : ",");
       }
-    const Material &material = tooth.model.bodies[0].material();
+    const Material &material = tooth.model.bodies[0].materials().front();
     out << "*MATERIAL, NAME=STEEL\n*ELASTIC\n"
         << material.youngs_modulus << "," << material.poissons_ratio
         << "\n*SOLID SECTION, ELSET=BODY, MATERIAL=STEEL\n*BOUNDARY\n";

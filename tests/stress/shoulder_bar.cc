@@ -48,8 +48,8 @@ namespace
               largest_of(factors.nodes,
                          compute_principal_stresses(SurfaceTensor(s[0], s[1], s[3])).first);
           }
-        const SurfaceTensor stress =
-          compute_surface_stress(FacetStrain(X).of_displacements(u), model.bodies[0].material());
+        const SurfaceTensor stress = compute_surface_stress(FacetStrain(X).of_displacements(u),
+                                                            model.bodies[0].materials().front());
         factors.surface = largest_of(factors.surface, compute_principal_stresses(stress).first);
       }
     return factors;

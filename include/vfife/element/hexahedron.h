@@ -62,6 +62,14 @@ namespace vfife
 
   /** Centroid of the volume, (1/V) int X dV [mm]. */
   Vector3 compute_centroid(const HexahedronNodes &nodes);
+
+  /** Nodes of an element, in columns, that has expanded by a @p strain [-] around their mean. */
+  template <typename Nodes>
+  Nodes expand_nodes(const Nodes &nodes, const double strain)
+  {
+    const Vector3 middle = nodes.rowwise().mean();
+    return nodes + strain * (nodes.colwise() - middle);
+  }
 } // namespace vfife
 
 #endif

@@ -21,8 +21,10 @@ namespace vfife
     double      density        = 7.85e-9; ///< [t/mm^3]
     double      youngs_modulus = 206000.; ///< [MPa]
     double      poissons_ratio = 0.29;    ///< [-]
+    double      expansion      = 1.2e-5;  ///< thermal, linear [1/K]
 
-    /** Declares "density", "Young's modulus" and "Poisson's ratio" in the subsection entered. */
+    /** Declares "density", "Young's modulus", "Poisson's ratio" and "thermal expansion" in the
+     * subsection entered. */
     void declare(dealii::ParameterHandler &prm);
 
     /** Throws InputError when a value is not possible (entries named relative to @p section). */

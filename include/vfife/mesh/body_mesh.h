@@ -3,6 +3,7 @@
 #define vfife_mesh_body_mesh_h
 
 #include <vfife/base/facet_surface.h>
+#include <vfife/mesh/body_structure.h>
 
 #include <deal.II/grid/tria.h>
 
@@ -22,10 +23,9 @@ namespace vfife
    */
   struct BodyMesh
   {
-    std::string               name;
-    dealii::Triangulation<3>  triangulation;
-    unsigned int              n_sectors = 1; ///< rotated copies about z that the body consists of
-    std::vector<unsigned int> sector;        ///< tooth number of each cell (0 where n_sectors is 1)
+    std::string              name;
+    dealii::Triangulation<3> triangulation;
+    BodyStructure            structure;
 
     std::map<unsigned int, std::string> regions;    ///< names of the cells' material ids
     std::map<unsigned int, std::string> boundaries; ///< names of the faces' boundary ids
@@ -59,13 +59,14 @@ namespace vfife
   /**
    * Creates the triangulation of @p mesh from nodes [mm] and right-handed hexahedra, keeping the
    * numbers of both: node i is vertex i, hexahedron e the active cell e; @p regions are the cells'
-   * material ids, all 0 where empty. Throws NumericalError where deal.II had to renumber,
-   * InputError for a node that no hexahedron uses.
+   * material ids, all 0 where empty; @p n_sectors: BodyStructure. Throws NumericalError where
+   * deal.II had to renumber, InputError for a node that no hexahedron uses.
    */
   void create_triangulation(BodyMesh                        &mesh,
                             const std::vector<Vector3>      &nodes,
                             const std::vector<CellNodes>    &hexahedra,
-                            const std::vector<unsigned int> &regions = {});
+                            const std::vector<unsigned int> &regions   = {},
+                            unsigned int                     n_sectors = 1);
 
   constexpr unsigned int most_boundaries = 32;
 

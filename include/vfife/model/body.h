@@ -6,6 +6,7 @@
 #include <vfife/base/types.h>
 #include <vfife/element/hexahedron.h>
 #include <vfife/element/material.h>
+#include <vfife/mesh/body_structure.h>
 
 #include <array>
 #include <cstdint>
@@ -32,14 +33,41 @@ namespace vfife
   class Body
   {
   public:
-    /** Computes masses; throws InputError naming the first inverted element. */
+    /** Computes masses. @p materials: those that the mesh's BodyStructure::material_of() counts.
+     * Throws InputError naming the first inverted element. */
+    Body(std::string name, std::vector<Material> materials, std::unique_ptr<BodyMesh> mesh);
     Body(std::string name, std::unique_ptr<BodyMesh> mesh, const Material &material);
     Body(Body &&) noexcept;
     ~Body();
 
     const std::string &name() const;
     const BodyMesh    &mesh() const;
-    const Material    &material() const;
+    /** Sectors, and the material of each element. */
+    const BodyStructure &structure() const;
+
+    const std::vector<Material> &materials() const;
+    const Material              &material(unsigned int element) const;
+    /** Of the elements that have a face among @p nodes. Throws InputError with @p what acts there
+     * where these have several materials or there are none. */
+    const Material &material_under(const std::vector<unsigned int> &nodes,
+                                   const std::string               &what) const;
+    /** Largest speed of sound in a bar, sqrt(E/rho) [mm/s]. */
+    double sound_speed() const;
+
+    /** Strain of an element without stress, the same in all directions: thermal expansion, or the
+     * interference of a shrink fit over its radius. */
+    double initial_strain(const unsigned int element) const
+    {
+      return initial_strains_.empty() ? 0. : initial_strains_[element];
+    }
+    bool has_initial_strains() const
+    {
+      return !initial_strains_.empty();
+    }
+    /** By element; each above -1. */
+    void set_initial_strains(std::vector<double> strains);
+    /** The element in the shape in which it has no stress, around its middle [mm]. */
+    HexahedronNodes stress_free_nodes(unsigned int element) const;
 
     unsigned int n_nodes() const;
     unsigned int n_elements() const;
@@ -89,7 +117,8 @@ namespace vfife
   private:
     std::string                               name_;
     std::unique_ptr<BodyMesh>                 mesh_;
-    Material                                  material_;
+    std::vector<Material>                     materials_;
+    std::vector<double>                       initial_strains_; ///< by element; empty: none
     std::vector<Vector3>                      node_positions_;
     std::vector<double>                       node_masses_;
     std::vector<std::array<std::uint32_t, 8>> elements_;

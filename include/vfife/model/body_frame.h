@@ -22,9 +22,6 @@ namespace vfife
   /** Of Body::axis along that line: 1 or -1. */
   double compute_sector_sense(const Body &body);
 
-  /** Of a mesh of equal sectors, which are numbered one after the other. */
-  unsigned int nodes_per_sector(const Body &body);
-
   /**
    * Whether the axis of rotation is the line of the sectors, in either sense: to six digits, with
    * which a parameter file may state it. Otherwise no two sectors see the same spin.

@@ -76,6 +76,9 @@ namespace vfife
     /** Transmission error of those springs less that of the contact's own grid, at equal positions
      * over one gear mesh from time zero on [rad]; empty: not known. */
     std::vector<double> spring_errors = {};
+    /** Facets of slave and master that the contact passes per gear mesh, along the face and along
+     * the profile; zeros: not known. */
+    std::array<std::array<double, 2>, 2> facets_passed = {};
   };
 
   /** A node whose displacement and stress are recorded. */

@@ -3,6 +3,7 @@
 #define vfife_stress_fillet_h
 
 #include <vfife/base/types.h>
+#include <vfife/element/material.h>
 
 #include <array>
 #include <string>
@@ -11,6 +12,7 @@
 namespace vfife
 {
   class Body;
+  class BodyStructure;
 
   /**
    * The free surface of one side's fillet of all teeth of a gear body as a grid of facets: columns
@@ -31,10 +33,12 @@ namespace vfife
     {
       return side_;
     }
-    unsigned int n_teeth() const
+    /** Of the elements under it. */
+    const Material &material() const
     {
-      return n_teeth_;
+      return material_;
     }
+    unsigned int n_teeth() const;
     /** Facets along the face. */
     unsigned int n_columns() const
     {
@@ -83,7 +87,8 @@ namespace vfife
     void measure(const Body &body);
 
     std::string               side_;
-    unsigned int              n_teeth_ = 0, nodes_per_tooth_ = 0;
+    Material                  material_;
+    const BodyStructure      *structure_;
     unsigned int              n_columns_ = 0, n_rows_ = 0;
     bool                      mirrored_ = false; ///< seen from outside the toe is on the right
     std::vector<unsigned int> nodes_;            ///< of tooth 0 by index()

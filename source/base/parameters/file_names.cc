@@ -6,6 +6,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <filesystem>
+#include <memory>
 
 namespace vfife
 {

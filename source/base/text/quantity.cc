@@ -132,6 +132,8 @@ namespace vfife
       {"m/s^2", "an acceleration", 1e3},
       {"mm/rad", "a length per angle", 1.},
       {"1/mm", "a curvature", 1.},
+      {"K", "a temperature difference", 1.},
+      {"1/K", "a thermal expansion", 1.},
     };
     return units;
   }

@@ -225,6 +225,7 @@ namespace vfife
   {
     NodeField applied = operator_.make_field();
     add_applied(state, loads, applied);
+    small_.add_strain_forces(applied);
     const double round_off = find_round_off(state, compute_masses(loads, state.dt), 1.);
     return norm(forces, *state.partition) /
            std::max(norm(applied, *state.partition), round_off / options_.tolerance);
@@ -293,6 +294,7 @@ namespace vfife
     // 3. What forces are measured by.
     NodeField applied = operator_.make_field();
     add_applied(state, loads, applied);
+    small_.add_strain_forces(applied);
     const double applied_norm = norm(applied, *state.partition),
                  unscaled     = find_round_off(state, masses, 1.);
     double round_off = unscaled, scale = 1, reference = applied_norm;

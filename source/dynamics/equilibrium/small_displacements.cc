@@ -37,6 +37,7 @@ namespace vfife
         // Internal forces know no origin: near the body's own middle coordinates have most digits.
         const Body         &body = model.bodies[b];
         Eigen::AlignedBox3d box;
+        strained_ = strained_ || body.has_initial_strains();
         for (const Vector3 &X : body.node_positions())
           box.extend(X);
         for (const std::uint32_t i : partition.nodes(b))
@@ -95,7 +96,7 @@ namespace vfife
 
   void SmallDisplacements::choose_scale(const bool wanted)
   {
-    if (!wanted)
+    if (!wanted || strained_)
       {
         scale_ = 1;
         return;
@@ -107,6 +108,15 @@ namespace vfife
     scale_ = std::max(1.,
                       std::exp2(std::min(largest_exponent,
                                          std::floor(std::log2(largest_gradient / gradient)))));
+  }
+
+  void SmallDisplacements::add_strain_forces(NodeField &forces)
+  {
+    if (!strained_)
+      return;
+    operator_.compute_internal_forces(local_, other_);
+    for (const std::uint32_t i : operator_.partition().nodes())
+      forces.add(i, other_.value(i));
   }
 
   void SmallDisplacements::compute_internal_forces(const State &state, NodeField &forces)

@@ -15,10 +15,10 @@ namespace vfife
 
     bool has_pattern(const Body &body)
     {
-      // Only a body that turns has a pattern, and only equal sectors, each with the same number of
-      // nodes and turned into the next by the spin, have equal nodes.
-      return body.turns_on_axis && body.rate != 0. && body.mesh().n_sectors >= least_sectors &&
-             body.n_nodes() % body.mesh().n_sectors == 0 && turns_about_sector_axis(body);
+      // Only a body that turns has a pattern, and only equal sectors that the spin turns into each
+      // other have equal nodes.
+      return body.turns_on_axis && body.rate != 0. &&
+             body.structure().n_sectors() >= least_sectors && turns_about_sector_axis(body);
     }
   } // namespace
 
@@ -47,26 +47,23 @@ namespace vfife
         communicator_.sum(positions);
 
         // 2. What turns a sector's neighbours onto it.
-        const Vector3                      axis       = compute_sector_axis(body).direction;
-        const double                       rate       = body.rate * body.axis.direction.dot(axis);
-        const unsigned int                 n_sectors  = body.mesh().n_sectors;
-        const unsigned int                 per_sector = nodes_per_sector(body);
-        const double                       angle      = 2. * pi / n_sectors;
+        const Vector3                      axis  = compute_sector_axis(body).direction;
+        const double                       rate  = body.rate * body.axis.direction.dot(axis);
+        const double                       angle = body.structure().pitch();
         std::array<Matrix3, 2 * reach + 1> back;
         for (unsigned int s = 0; s < back.size(); ++s)
           back[s] = rotation_about(axis, -angle * (static_cast<double>(s) - reach));
 
         for (const std::uint32_t i : partition.nodes(b))
           {
-            const unsigned int node   = partition.global_node[i] - body.first_node;
-            const unsigned int sector = node / per_sector;
+            const unsigned int node = partition.global_node[i] - body.first_node;
             // 3. The images of this node in the sectors around, turned back onto this one: they
             // differ by the change of the displacement only.
             std::array<Vector3, 2 * reach + 1> y;
             for (unsigned int s = 0; s < y.size(); ++s)
               {
-                const unsigned int other = (sector + n_sectors + s - reach) % n_sectors;
-                const std::size_t  image = other * per_sector + node % per_sector;
+                const std::size_t image =
+                  body.structure().copy(node, static_cast<int>(s) - static_cast<int>(reach));
                 y[s] = back[s] * Eigen::Map<const Vector3>(positions.data() + 3 * image);
               }
             // 4. u' and u'' by central differences of fourth order; v = Omega u' and

@@ -76,9 +76,11 @@ namespace vfife
   {
     if (penalty_.is_open())
       {
-        const Material &s = model.bodies[pair.slave_body].material(),
-                       &m = model.bodies[pair.master_body].material();
-        penalty_.value    = compute_facet_penalty(
+        const Material &s = model.bodies[pair.slave_body].material_under(
+                         slave.facets->nodes, "surface \"" + pair.slave_surface + "\""),
+                       &m = model.bodies[pair.master_body].material_under(
+                         master.facets->nodes, "surface \"" + pair.master_surface + "\"");
+        penalty_.value = compute_facet_penalty(
           contact_modulus(s.youngs_modulus, s.poissons_ratio, m.youngs_modulus, m.poissons_ratio),
           contact.vary_penalty());
       }

@@ -27,7 +27,7 @@ namespace vfife
 
     NodalSprings find_springs(const RigidWall &wall, const Body &body)
     {
-      const Material     &material = body.material();
+      const Material     &material = body.material_under(wall.nodes, "wall \"" + wall.name + "\"");
       const double        E = material.youngs_modulus, nu = material.poissons_ratio;
       const double        modulus = E / (1. - nu * nu);
       std::vector<double> areas(body.n_nodes(), 0.), stiffness(body.n_nodes(), 0.);

@@ -32,10 +32,10 @@ namespace vfife
       std::vector<std::array<double, 8>> masses;
       for (const std::uint32_t e : classes.representative)
         {
-          const HexahedronNodes X    = body.element_nodes(e);
-          const auto            mass = compute_lumped_mass(X, body.material().density);
-          const double          omega =
-            compute_largest_frequency(compute_stiffness(X, body.material(), stiffness), mass);
+          const HexahedronNodes X     = body.element_nodes(e);
+          const auto            mass  = compute_lumped_mass(X, body.material(e).density);
+          const double          omega = compute_largest_frequency(
+            compute_stiffness(body.stress_free_nodes(e), body.material(e), stiffness), mass);
           factor.push_back(std::pow(0.5 * omega * step, 2) - 1.);
           masses.emplace_back();
           std::copy_n(mass.data(), 8, masses.back().begin());

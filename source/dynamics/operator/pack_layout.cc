@@ -146,7 +146,7 @@ namespace vfife
   {
     // The copies of an element, one a sector, then fill at least half the lanes of a pack. Fewer
     // sectors a rank would also leave ranks with half as many again as others.
-    const unsigned int n_sectors = body.mesh().n_sectors;
+    const unsigned int n_sectors = body.structure().n_sectors();
     return n_ranks > 1 && n_sectors >= std::uint64_t(least_shared_size) * n_ranks;
   }
 
@@ -162,10 +162,10 @@ namespace vfife
           {
             // Part p of n goes to rank p n_ranks/n, rounded down: shares that differ by one part at
             // most.
-            const std::uint64_t n = body.mesh().n_sectors;
+            const std::uint64_t n = body.structure().n_sectors();
             for (std::uint32_t e = 0; e < parts.size(); ++e)
               {
-                const std::uint64_t sector = body.mesh().sector[e];
+                const std::uint64_t sector = body.structure().sector_of_element(e);
                 parts[e]                   = ((b % 2 == 1 ? n - 1 - sector : sector) * n_ranks) / n;
               }
           }

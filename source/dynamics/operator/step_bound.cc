@@ -56,8 +56,7 @@ namespace vfife
     {
       double speed = 0;
       for (const Body &body : model.bodies)
-        speed =
-          std::max(speed, std::sqrt(body.material().youngs_modulus / body.material().density));
+        speed = std::max(speed, body.sound_speed());
       return 1e-6 * speed * vfife.limiting_element().stable_step();
     }
   } // namespace

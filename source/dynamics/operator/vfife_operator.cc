@@ -69,17 +69,17 @@ namespace vfife
           {
             // One element stands for all that are congruent with it.
             // Constants of the kernel from the undeformed element.
-            const HexahedronNodes X = body.element_nodes(e);
-            const auto reduced      = compute_reduced_stiffness(X, body.material(), stiffness_);
-            const auto mass         = compute_lumped_mass(X, body.material().density);
+            const auto reduced =
+              compute_reduced_stiffness(body.stress_free_nodes(e), body.material(e), stiffness_);
+            const auto mass = compute_lumped_mass(body.element_nodes(e), body.material(e).density);
 
             data.constants.resize(data.constants.size() + n_element_constants);
             write_constants(reduced,
-                            body.material(),
+                            body.material(e),
                             data.constants.data() + data.constants.size() - n_element_constants);
             // Mass scaling: own step 2/omega below the target, then mass times (target/own step)^2.
             const double frequency =
-              compute_largest_frequency(expand(reduced, body.material()), mass);
+              compute_largest_frequency(expand(reduced, body.material(e)), mass);
             const double scale =
               std::max(1., std::pow(0.5 * frequency * layout_.mass_scaling_step, 2));
             std::array<double, 8> masses;

@@ -66,11 +66,12 @@ namespace vfife
                 if (nodes[i] == probe.node)
                   corner = i;
               }
-            const auto stress = compute_nodal_stresses(body.element_nodes(e - body.first_element),
-                                                       x,
-                                                       body.material(),
-                                                       vfife.stiffness(),
-                                                       vfife.frame());
+            const auto stress =
+              compute_nodal_stresses(body.stress_free_nodes(e - body.first_element),
+                                     x,
+                                     body.material(e - body.first_element),
+                                     vfife.stiffness(),
+                                     vfife.frame());
             Eigen::Map<Stress>(s + 3) += stress.col(corner);
             s[9] += 1.;
           }

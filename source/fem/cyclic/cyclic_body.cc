@@ -38,9 +38,8 @@ namespace vfife
     {
       const std::string what = "constraint \"" + constraint.name + "\"";
       require_all_copies(body, constraint.nodes, what);
-      const unsigned int per_sector = nodes_per_sector(body);
-      const Matrix3      turn =
-        rotation_about(compute_sector_axis(body).direction, 2. * pi / body.mesh().n_sectors);
+      const Matrix3 turn =
+        rotation_about(compute_sector_axis(body).direction, body.structure().pitch());
       for (const unsigned int node : constraint.nodes)
         {
           const auto held = [&](const unsigned int i) {
@@ -48,8 +47,8 @@ namespace vfife
                                           body,
                                           body.placement(body.node_positions()[i]));
           };
-          if ((held((node + per_sector) % body.n_nodes()) - turn * held(node) * turn.transpose())
-                .norm() > 1e-6)
+          if ((held(body.structure().copy(node, 1)) - turn * held(node) * turn.transpose()).norm() >
+              1e-6)
             throw InputError("body \"" + body.name() + "\": " + what +
                              " does not hold all sectors alike: the directions it holds do not "
                              "turn from one to the next");
@@ -110,7 +109,7 @@ namespace vfife
 
   unsigned int CyclicBody::n_sectors() const
   {
-    return body().mesh().n_sectors;
+    return body().structure().n_sectors();
   }
 
   bool CyclicBody::whirls(const unsigned int number) const
@@ -170,13 +169,13 @@ namespace vfife
   SectorRow CyclicBody::make_row(const std::vector<std::pair<unsigned int, Vector3>> &weights) const
   {
     // Sector s moves by R^s u exp(i h s alpha): what w reads of it, R^-s w reads of u.
-    const unsigned int per_sector = nodes_per_sector(body());
-    const Vector3      axis       = compute_sector_axis(body()).direction;
-    SectorRow          row;
+    const BodyStructure &structure = body().structure();
+    const Vector3        axis      = compute_sector_axis(body()).direction;
+    SectorRow            row;
     for (const auto &[node, weight] : weights)
       {
-        const unsigned int s = node / per_sector;
-        row.push_back({node % per_sector,
+        const unsigned int s = structure.sector_of(node);
+        row.push_back({structure.first_copy(node),
                        s,
                        rotation_about(axis, -(s * sector().sector_angle())) *
                          (body().placement.rotation * weight)});

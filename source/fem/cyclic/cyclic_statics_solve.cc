@@ -11,7 +11,7 @@ namespace vfife
 {
   std::vector<double> CyclicStatics::spun() const
   {
-    const unsigned int  n_nodes = nodes_per_sector(body_.body());
+    const unsigned int  n_nodes = body_.body().structure().nodes_per_sector();
     std::vector<double> u;
     for (unsigned int k = 0; k < body_.n_sectors(); ++k)
       for (unsigned int i = 0; i < n_nodes; ++i)
@@ -50,7 +50,7 @@ namespace vfife
   Eigen::MatrixXd CyclicStatics::restrict_forces(const std::vector<double> &forces) const
   {
     // Forces of each sector in the axes of sector 0; none on the images of the next one's.
-    const std::size_t   n_own = 3 * std::size_t(nodes_per_sector(body_.body()));
+    const std::size_t   n_own = 3 * std::size_t(body_.body().structure().nodes_per_sector());
     std::vector<double> at_points(3 * std::size_t(body_.sector().n_points()), 0.);
     Eigen::MatrixXd     x(sector_->unknowns().n(), body_.n_sectors());
     for (unsigned int k = 0; k < body_.n_sectors(); ++k)
@@ -67,7 +67,7 @@ namespace vfife
 
   std::vector<double> CyclicStatics::expand(const Eigen::MatrixXd &x) const
   {
-    const std::size_t   n_own = 3 * std::size_t(nodes_per_sector(body_.body()));
+    const std::size_t   n_own = 3 * std::size_t(body_.body().structure().nodes_per_sector());
     std::vector<double> u;
     for (unsigned int k = 0; k < body_.n_sectors(); ++k)
       {
@@ -104,13 +104,13 @@ namespace vfife
   void CyclicStatics::watch(std::vector<unsigned int> nodes)
   {
     // 1. The nodes as copies of points of sector 0.
-    watched_                       = std::move(nodes);
-    const unsigned int     n_nodes = nodes_per_sector(body_.body());
+    watched_                         = std::move(nodes);
+    const BodyStructure   &structure = body_.body().structure();
     std::set<unsigned int> points, sectors;
     for (const unsigned int node : watched_)
       {
-        points.insert(node % n_nodes);
-        sectors.insert(node / n_nodes);
+        points.insert(structure.first_copy(node));
+        sectors.insert(structure.sector_of(node));
       }
     locals_.assign(points.begin(), points.end());
     flexibility_.clear();
@@ -160,13 +160,14 @@ namespace vfife
   Eigen::VectorXd CyclicStatics::column(const std::size_t  watched,
                                         const unsigned int component) const
   {
-    const unsigned int n_nodes = nodes_per_sector(body_.body()), n_sectors = body_.n_sectors();
-    const auto         local = [&](const unsigned int node) {
-      return 3 *
-             (std::lower_bound(locals_.begin(), locals_.end(), node % n_nodes) - locals_.begin());
+    const BodyStructure &structure = body_.body().structure();
+    const unsigned int   n_sectors = structure.n_sectors();
+    const auto           local     = [&](const unsigned int node) {
+      return 3 * (std::lower_bound(locals_.begin(), locals_.end(), structure.first_copy(node)) -
+                  locals_.begin());
     };
     // The force in the axes of its sector, each displacement in those of its own.
-    const unsigned int at = watched_[watched], from = at / n_nodes;
+    const unsigned int at = watched_[watched], from = structure.sector_of(at);
     const Vector3      force = turned(from).transpose().col(component);
     Eigen::Vector2d    held  = Eigen::Vector2d::Zero();
     if (pinned_)
@@ -174,7 +175,7 @@ namespace vfife
     Eigen::VectorXd u(3 * watched_.size());
     for (std::size_t i = 0; i < watched_.size(); ++i)
       {
-        const unsigned int     node = watched_[i], to = node / n_nodes;
+        const unsigned int     node = watched_[i], to = structure.sector_of(node);
         const Eigen::MatrixXd &A = flexibility_.at((to + n_sectors - from) % n_sectors);
         u.segment<3>(3 * i)      = turned(to) * A.block<3, 3>(local(node), local(at)) * force;
         if (pinned_)

@@ -188,8 +188,11 @@ namespace vfife
                              // balanced, spin does no work on them.
                              const bool floats = model_.bodies[body_].floats;
                              if ((solver->n_negative() > n_free && !floats) || solver->n_zero() > 0)
-                               throw NumericalError(
-                                 name + " no stable state of spin: the speed is too high");
+                               throw NumericalError(name + " no stable state of spin: the speed" +
+                                                    (model_.bodies[body_].has_initial_strains()
+                                                       ? " or the temperature"
+                                                       : "") +
+                                                    " is too high");
                              return [solver](OwnedVector &q) { solver->solve(q.data(), 1); };
                            })
       .displacements;
@@ -210,7 +213,7 @@ namespace vfife
     result.axis_point = model_.bodies[body_].axis.point;
     result.rate       = rate;
     std::vector<double> equilibrium;
-    if (rate != 0)
+    if (rate != 0 || model_.bodies[body_].has_initial_strains())
       {
         equilibrium = find_equilibrium(rate);
         for (std::size_t i = 0; i < equilibrium.size(); i += 3)
@@ -223,7 +226,7 @@ namespace vfife
       {
         result.counted = true;
         // More diameters than half the sectors cannot be told apart from fewer.
-        const unsigned int half = model_.bodies[body_].mesh().n_sectors / 2;
+        const unsigned int half = model_.bodies[body_].structure().n_sectors() / 2;
         const unsigned int last = std::min(half, options_.largest_diameter);
         for (unsigned int h = 0; h <= last; ++h)
           solve_harmonic(rate, equilibrium, h, result);
@@ -306,8 +309,9 @@ namespace vfife
     const Assembly       assembly(discretization_, unknowns, communicator_);
     const SystemMatrices matrices(assembly, options_.mass, options_.strain);
     // About the equilibrium. Hubs that turn freely are not pinned: their rotation is a rigid mode.
-    const SparseValues K = rate != 0 ? matrices.spinning_stiffness(equilibrium, constant_rate(rate))
-                                     : matrices.stiffness(constant_rate(0.));
+    const SparseValues K = !equilibrium.empty()
+                             ? matrices.spinning_stiffness(equilibrium, constant_rate(rate))
+                             : matrices.stiffness(constant_rate(0.));
     const SparseValues M = matrices.mass();
     // Spin softens translations of a body that nothing holds, or soft bearings do, by this much;
     // the rotation of a hub, and of a shaft in bearings, is left with round-off.
@@ -423,8 +427,8 @@ namespace vfife
 
     // Sector after sector about the line of the mesh, whatever the sense of the spin.
     const Vector3       axis      = compute_sector_axis(body).direction;
-    const unsigned int  n_sectors = body.mesh().n_sectors;
-    const std::size_t   n_nodes   = nodes_per_sector(body);
+    const unsigned int  n_sectors = body.structure().n_sectors();
+    const std::size_t   n_nodes   = body.structure().nodes_per_sector();
     const std::size_t   copy      = 3 * static_cast<std::size_t>(discretization_.n_points());
     std::vector<double> whole;
     whole.reserve(n);

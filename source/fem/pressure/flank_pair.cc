@@ -22,8 +22,13 @@ namespace vfife
         {{*facets_[0], definition_.options.surface, EdgeRelief(*facets_[0], definition_.options)},
          {*facets_[1], definition_.options.surface, EdgeRelief(*facets_[1], definition_.options)}}}
   {
-    for (const unsigned int body : bodies_)
-      held_.emplace_back(discretization.model().bodies[body].material().poissons_ratio);
+    for (unsigned int side = 0; side < 2; ++side)
+      {
+        materials_[side] =
+          discretization.model().bodies[bodies_[side]].material_under(facets_[side]->nodes,
+                                                                      "a flank");
+        held_.emplace_back(materials_[side].poissons_ratio);
+      }
   }
 
   void FlankPair::place(const unsigned int  side,
@@ -117,8 +122,8 @@ namespace vfife
     flank.rotation       = rotations_[side] * rotation_about(compute_sector_axis(body).direction,
                                                        2. * pi * (double(group) - double(copied)) /
                                                          facets_[side]->n_groups);
-    flank.youngs_modulus = body.material().youngs_modulus;
-    flank.poissons_ratio = body.material().poissons_ratio;
+    flank.youngs_modulus = materials_[side].youngs_modulus;
+    flank.poissons_ratio = materials_[side].poissons_ratio;
     flank.held           = &held_[side];
     flank.places.assign(facets_[side]->nodes.size(), ElasticFlank::no_place);
     flank.near_places = flank.places;

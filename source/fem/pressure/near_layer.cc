@@ -73,6 +73,24 @@ namespace vfife
         return part_;
       }
 
+      /** Of the elements in the layers. Throws InputError where they have several. */
+      const Material &material() const
+      {
+        const Material *found = nullptr;
+        for (unsigned int e = 0; e < part_.n_elements; ++e)
+          if (used_[e])
+            {
+              const Material &here = discretization_.material(part_.first_element + e);
+              if (found != nullptr && found != &here)
+                throw InputError("the layers of elements under a surface in contact have the "
+                                 "materials \"" +
+                                 found->name + "\" and \"" + here.name +
+                                 "\"; the pressure on its own grid needs one");
+              found = &here;
+            }
+        return *found;
+      }
+
     private:
       template <typename Function>
       void for_points(const unsigned int e, const Function &function) const
@@ -190,9 +208,7 @@ namespace vfife
       own_edges.push_back({{number_of(edge[0]), number_of(edge[1])}});
     by_itself.continue_beyond(own_edges, own, reach * layer.mean_depth());
     layer.flexibility =
-      by_itself.find_flexibility(own,
-                                 discretization.model().bodies[part.body].material(),
-                                 discretization.element());
+      by_itself.find_flexibility(own, elements.material(), discretization.element());
     layer.points = std::move(patch);
     return layer;
   }

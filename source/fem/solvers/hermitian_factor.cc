@@ -4,6 +4,7 @@
 #include <deal.II/lac/lapack_templates.h>
 
 #include <complex>
+#include <utility>
 
 // LAPACK and BLAS take the instructions of the machine, which Eigen, compiled for all of them, does
 // not.

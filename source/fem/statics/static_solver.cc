@@ -140,7 +140,10 @@ namespace vfife
     const bool            is_root = communicator_.is_root();
     // Without displacements, as in the first call where none are prescribed, no element stiffness
     // is asked for.
-    const bool moved = std::any_of(u.begin(), u.end(), [](const double v) { return v != 0.; });
+    const bool moved = std::any_of(u.begin(), u.end(), [](const double v) { return v != 0.; }) ||
+                       std::any_of(d.parts().begin(), d.parts().end(), [this](const auto &part) {
+                         return model_.bodies[part.body].has_initial_strains();
+                       });
     std::vector<double>        sums(u.size(), 0.);
     const SystemMatrices::Rate rate = body_rate(loads);
     if (is_root)
@@ -171,17 +174,22 @@ namespace vfife
         Eigen::VectorXd       forces = Eigen::VectorXd::Zero(v.size());
         if (!spun.empty())
           {
-            const Eigen::VectorXd v_s = d.gather(e, spun);
-            const ElementState    state =
-              compute_element_state(X, d.material(e), d.element(), options_.strain, v_s, true);
-            forces = state.forces + state.tangent * (v - v_s);
+            const Eigen::VectorXd v_s   = d.gather(e, spun);
+            const ElementState    state = compute_element_state(d.stress_free_nodes(e),
+                                                             d.material(e),
+                                                             d.element(),
+                                                             options_.strain,
+                                                             d.gather_from_stress_free(e, spun),
+                                                             true);
+            forces                      = state.forces + state.tangent * (v - v_s);
             strain_energy +=
               state.energy + (v - v_s).dot(state.forces + .5 * state.tangent * (v - v_s));
           }
         else if (moved)
           {
-            forces = compute_fem_stiffness(X, d.material(e), d.element()) * v;
-            strain_energy += .5 * v.dot(forces);
+            const Eigen::VectorXd strained = d.gather_from_stress_free(e, u);
+            forces = compute_fem_stiffness(X, d.material(e), d.element()) * strained;
+            strain_energy += .5 * strained.dot(forces);
           }
         if (loads.body_force)
           forces -= integrate_body_force(X, loads.body_force);
@@ -323,9 +331,10 @@ namespace vfife
             const unsigned int                element = part.first_element + e;
             const Eigen::Matrix<double, 6, 8> values =
               compute_point_stresses(discretization.element_nodes(element),
-                                     body.material(),
+                                     body.material(e),
                                      discretization.element(),
-                                     discretization.gather(element, displacements)) *
+                                     discretization.gather_from_stress_free(element,
+                                                                            displacements)) *
               corners;
             for (unsigned int v = 0; v < 8; ++v)
               {

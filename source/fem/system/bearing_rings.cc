@@ -101,7 +101,7 @@ namespace vfife
     // of sector 0: along the axis a with h = 0, in h = 1 along e = (x + i y)/sqrt(2) across it,
     // R e = e exp(-i alpha). Its energy in springs alike across the axis is that of sqrt(N) a a^T B
     // z, and of sqrt(2 N) Re(e e^H B z), in the sector.
-    const double  n     = body.mesh().n_sectors;
+    const double  n     = body.structure().n_sectors();
     const Vector3 a     = compute_sector_axis(body).direction;
     const Matrix3 axes  = axes_along(a);
     const Matrix6 along = on_both(std::sqrt(n) * a * a.transpose());
@@ -110,14 +110,14 @@ namespace vfife
     const Matrix6 quarter =
       on_both(std::sqrt(2. * n) * .5 *
               (axes.col(1) * axes.col(0).transpose() - axes.col(0) * axes.col(1).transpose()));
-    const unsigned int per_sector = nodes_per_sector(body), n_points = discretization_.n_points();
+    const unsigned int                       n_points = discretization_.n_points();
     std::vector<Eigen::Matrix<double, 6, 3>> columns;
     const auto add = [&](const unsigned int point, const Eigen::Matrix<double, 6, 3> &motion) {
       ring.points.push_back(point);
       columns.push_back(motion);
     };
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      if (nodes[i] < per_sector)
+      if (body.structure().sector_of(nodes[i]) == 0)
         {
           const Eigen::Matrix<double, 6, 3> B = set.derivative(i, at_rest);
           if (harmonic_ == 0)

@@ -124,11 +124,11 @@ namespace vfife
   Discretization
   Discretization::sector_of(const Model &model, const unsigned int b, const FemElement element)
   {
-    const Body        &body = model.bodies[b];
-    const unsigned int n    = body.mesh().n_sectors;
+    const Body          &body      = model.bodies[b];
+    const BodyStructure &structure = body.structure();
     if (element == FemElement::quadratic)
       throw InputError("cyclic symmetry is there for elements with 8 nodes only");
-    if (n < 3 || body.n_nodes() % n != 0 || body.n_elements() % n != 0)
+    if (structure.n_sectors() < 3 || structure.n_axis_nodes() > 0)
       throw InputError("body \"" + body.name() + "\" is not made of three or more equal sectors");
     if (!turns_about_sector_axis(body))
       throw InputError("body \"" + body.name() +
@@ -136,13 +136,25 @@ namespace vfife
                        "point, axis direction) is not the axis of its mesh's sectors; set it along "
                        "the mesh's z, in either sense, or leave cyclic symmetry at no");
 
+    if (body.has_initial_strains())
+      for (unsigned int e = 0; e < body.n_elements(); ++e)
+        if (body.initial_strain(e) != body.initial_strain(structure.first_copy_of_element(e)))
+          throw InputError("body \"" + body.name() +
+                           "\": cyclic symmetry needs the same temperature in all sectors");
+    if (body.materials().size() > 1)
+      for (unsigned int e = 0; e < body.n_elements(); ++e)
+        if (structure.material_of(e) != structure.material_of(structure.first_copy_of_element(e)))
+          throw InputError("body \"" + body.name() +
+                           "\": cyclic symmetry needs the same materials in all sectors");
+
     Discretization     sector(model, element);
-    const unsigned int n_nodes = body.n_nodes() / n, n_elements = body.n_elements() / n;
+    const unsigned int n_nodes    = structure.nodes_per_sector(),
+                       n_elements = structure.elements_per_sector();
     //   n_nodes + i  *---*---*       Points are the nodes of sector 0 and, of sector 1, those
     //               / sector 0       on the common border (*): images of nodes i of sector 0, a
     //            i o---o---o         pitch further on. All other nodes are left out.
     //
-    sector.sector_angle_ = 2. * pi / n;
+    sector.sector_angle_ = structure.pitch();
     // Nodes and elements are numbered sector by sector: node i of sector s is s n_nodes + i. Sector
     // 1 must be sector 0 turned; the others are made in the same way.
     const auto   &X    = body.node_positions();
@@ -189,6 +201,27 @@ namespace vfife
     for (unsigned int a = 0; a < n_local_; ++a)
       X.col(a) = points_[p[a]];
     return X;
+  }
+
+  ElementNodes Discretization::stress_free_nodes(const unsigned int e) const
+  {
+    const Part        &part = part_of_element(e);
+    const Body        &body = model_->bodies[part.body];
+    const ElementNodes X    = element_nodes(e);
+    return body.has_initial_strains() ? expand_nodes(X, body.initial_strain(e - part.first_element))
+                                      : X;
+  }
+
+  Eigen::VectorXd Discretization::gather_from_stress_free(const unsigned int         e,
+                                                          const std::vector<double> &u) const
+  {
+    Eigen::VectorXd v = gather(e, u);
+    if (model_->bodies[part_of_element(e).body].has_initial_strains())
+      {
+        const ElementNodes free = stress_free_nodes(e) - element_nodes(e);
+        v -= Eigen::Map<const Eigen::VectorXd>(free.data(), free.size());
+      }
+    return v;
   }
 
   const Discretization::Part &Discretization::part_of_element(const unsigned int e) const
@@ -261,12 +294,11 @@ namespace vfife
                           const std::vector<unsigned int> &nodes,
                           const std::string               &what)
   {
-    const unsigned int per_sector = nodes_per_sector(body);
-    std::vector<bool>  inside(body.n_nodes(), false);
+    std::vector<bool> inside(body.n_nodes(), false);
     for (const unsigned int node : nodes)
       inside[node] = true;
     for (const unsigned int node : nodes)
-      if (!inside[(node + per_sector) % body.n_nodes()])
+      if (!inside[body.structure().copy(node, 1)])
         throw InputError("body \"" + body.name() + "\": " + what +
                          " is not alike in all sectors: it has node " + std::to_string(node) +
                          " without its copy in the next one");

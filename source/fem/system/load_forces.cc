@@ -71,7 +71,7 @@ namespace vfife
           const unsigned int   *points = discretization.element_points(part.first_element + e);
           const Eigen::VectorXd masses =
             compute_mass_coefficients(discretization.element_nodes(part.first_element + e),
-                                      body.material().density,
+                                      body.material(e).density,
                                       MassKind::consistent)
               .rowwise()
               .sum();

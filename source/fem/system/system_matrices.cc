@@ -121,11 +121,15 @@ namespace vfife
         if (std::none_of(points, points + d.points_per_element(), is_hub))
           continue;
         // The load acts on the moved mass, as in the equilibrium.
-        const Eigen::VectorXd v = d.gather(e, u);
-        const Eigen::VectorXd forces =
-          compute_element_state(d.element_nodes(e), d.material(e), d.element(), strain_, v, false)
-            .forces -
-          centrifugal_force(e, v, rate);
+        const Eigen::VectorXd v      = d.gather(e, u);
+        const Eigen::VectorXd forces = compute_element_state(d.stress_free_nodes(e),
+                                                             d.material(e),
+                                                             d.element(),
+                                                             strain_,
+                                                             d.gather_from_stress_free(e, u),
+                                                             false)
+                                         .forces -
+                                       centrifugal_force(e, v, rate);
         for (unsigned int a = 0; a < d.points_per_element(); ++a)
           if (is_hub(points[a]))
             reactions[points[a]] += forces.segment<3>(3 * a);
@@ -175,8 +179,12 @@ namespace vfife
     const Discretization &d = assembly_.discretization();
     SparseValues          K = assembly_.matrix([&](const unsigned int e) -> Eigen::MatrixXd {
       const double omega = rate(body(e));
-      return compute_element_state(
-               d.element_nodes(e), d.material(e), d.element(), strain_, d.gather(e, u), true)
+      return compute_element_state(d.stress_free_nodes(e),
+                                   d.material(e),
+                                   d.element(),
+                                   strain_,
+                                   d.gather_from_stress_free(e, u),
+                                   true)
                .tangent -
              expand_coefficients(omega * omega * mass_coefficients(e), across(axis(e).direction));
     });
@@ -192,8 +200,12 @@ namespace vfife
     OwnedVector           residual = assembly_.vector([&](const unsigned int e) -> Eigen::VectorXd {
       const Eigen::VectorXd v = d.gather(e, u);
       return centrifugal_force(e, softening ? v : Eigen::VectorXd::Zero(v.size()), rate) -
-             compute_element_state(
-               d.element_nodes(e), d.material(e), d.element(), strain_, v, false)
+             compute_element_state(d.stress_free_nodes(e),
+                                   d.material(e),
+                                   d.element(),
+                                   strain_,
+                                   d.gather_from_stress_free(e, u),
+                                   false)
                .forces;
     });
     std::vector<double>   held(3 * static_cast<std::size_t>(d.n_points()), 0.);

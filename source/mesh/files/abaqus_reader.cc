@@ -6,6 +6,7 @@
 #include "abaqus_part.h"
 
 #include <algorithm>
+#include <memory>
 #include <set>
 
 // Input files of Abaqus ("Input Syntax Rules", "Defining an Assembly") and CalculiX.

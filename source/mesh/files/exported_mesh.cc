@@ -43,7 +43,7 @@ namespace vfife
           for (unsigned int v = 0; v < 8; ++v)
             nodes[v] = first_node + cell->vertex_index(v);
           all.elements.push_back(nodes);
-          all.sector.push_back(mesh.sector[cell->active_cell_index()]);
+          all.sector.push_back(mesh.structure.sector_of_element(cell->active_cell_index()));
           all.body.push_back(number);
 
           const auto region = region_of_id.emplace(cell->material_id(), all.regions.size());

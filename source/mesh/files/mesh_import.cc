@@ -255,7 +255,6 @@ namespace vfife
       {
         throw InputError(path + ": the hexahedra cannot be joined to a mesh");
       }
-    mesh->sector.assign(file.elements.size(), 0);
 
     // 3. Named parts, and how good the elements are.
     add_node_sets(file, *mesh);

@@ -8,6 +8,7 @@
 
 #include <boost/algorithm/string/case_conv.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 // Unstructured grids of VTK's legacy format in text, up to version 5.1 (VTK file formats; "Changes

@@ -42,9 +42,8 @@ namespace vfife
     const unsigned int n_sectors = gear.blank().teeth, n_nodes = sector.nodes.size();
 
     // 2. Its copies, turned about the axis; a node of the next sector is that of sector k + 1.
-    auto mesh       = std::make_unique<BodyMesh>();
-    mesh->name      = gear.name();
-    mesh->n_sectors = n_sectors;
+    auto mesh  = std::make_unique<BodyMesh>();
+    mesh->name = gear.name();
 
     std::vector<Vector3>   nodes;
     std::vector<CellNodes> hexahedra;
@@ -62,13 +61,12 @@ namespace vfife
                      (GearSector::is_next(node) ? (k + 1) % n_sectors : k) * n_nodes;
             hexahedra.push_back(hexahedron);
           }
-        mesh->sector.insert(mesh->sector.end(), sector.hexahedra.size(), k);
       }
     // 3. The triangulation, with material ids.
     std::vector<unsigned int> regions;
     for (unsigned int k = 0; k < n_sectors; ++k)
       regions.insert(regions.end(), sector.regions.begin(), sector.regions.end());
-    create_triangulation(*mesh, nodes, hexahedra, regions);
+    create_triangulation(*mesh, nodes, hexahedra, regions, n_sectors);
     mesh->regions = gear_region_names();
 
     // 4. Sets and surfaces of all sectors, then boundary ids and manifolds, which need the sets.

@@ -5,6 +5,7 @@
 
 #include <deal.II/grid/manifold_lib.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vfife

@@ -46,7 +46,6 @@ namespace vfife
         hexahedra.push_back(corners);
       }
     create_triangulation(*mesh, nodes, hexahedra);
-    mesh->sector.assign(hexahedra.size(), 0);
 
     // sides: first and last nodes along each direction
     const char *axes = "xyz";
@@ -87,7 +86,6 @@ namespace vfife
     auto moved  = std::make_unique<BodyMesh>();
     moved->name = name;
     create_triangulation(*moved, nodes, hexahedra);
-    moved->sector.assign(hexahedra.size(), 0);
     return moved;
   }
 } // namespace vfife

@@ -35,9 +35,8 @@ namespace vfife
     require(counts[0] > 0 && counts[1] >= 3 && counts[2] > 0,
             "ring: at least one cell radially and axially and three around are needed");
 
-    auto mesh       = std::make_unique<BodyMesh>();
-    mesh->name      = "ring";
-    mesh->n_sectors = counts[1];
+    auto mesh  = std::make_unique<BodyMesh>();
+    mesh->name = "ring";
 
     // nodes of a sector: radius fastest, then z
     const unsigned int     per_row = counts[0] + 1, per_sector = per_row * (counts[2] + 1);
@@ -61,10 +60,9 @@ namespace vfife
                 corners[v] =
                   ((v & 2u) != 0 ? next : here) + i + (v & 1u) + (layer + (v >> 2)) * per_row;
               hexahedra.push_back(corners);
-              mesh->sector.push_back(k);
             }
       }
-    create_triangulation(*mesh, nodes, hexahedra);
+    create_triangulation(*mesh, nodes, hexahedra, {}, counts[1]);
 
     const auto radial = [&](const unsigned int i) { return i % per_row; };
     const auto axial  = [&](const unsigned int i) { return i % per_sector / per_row; };
@@ -116,7 +114,6 @@ namespace vfife
           }
       }
     create_triangulation(*mesh, nodes, hexahedra);
-    mesh->sector.assign(hexahedra.size(), 0);
 
     // named sides by the node's place in its layer: the circle comes last
     const unsigned int centre = (counts[0] + 1) * (counts[0] + 1) / 2;
@@ -250,7 +247,6 @@ namespace vfife
     for (Vector3 &node : ball.nodes)
       node *= radius;
     create_triangulation(*mesh, ball.nodes, ball.cells);
-    mesh->sector.assign(ball.cells.size(), 0);
 
     const unsigned int along  = counts[0] + 1;
     mesh->node_sets["centre"] = {along * along * along / 2};

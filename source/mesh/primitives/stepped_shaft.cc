@@ -289,7 +289,6 @@ namespace vfife
       for (unsigned int &node : cell)
         node = number[node];
     create_triangulation(*mesh, nodes, hexahedra);
-    mesh->sector.assign(hexahedra.size(), 0);
 
     name_sides(sections, plane, meridian, original, *mesh);
     return mesh;

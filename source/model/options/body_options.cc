@@ -4,9 +4,15 @@
 #include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/text/nearest_name.h>
+#include <vfife/base/text/number_text.h>
 #include <vfife/mesh/files/mesh_import.h>
 #include <vfife/model/options/body_options.h>
 
+#include <boost/algorithm/string/predicate.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
 
 namespace vfife
 {
@@ -14,6 +20,16 @@ namespace vfife
   {
     /** The meshes that are no shapes of three sizes. */
     const std::string from_file = "file", stepped_shaft = "stepped shaft";
+    /** Elements are linear elastic: beyond this a temperature is hardly meant. */
+    constexpr double largest_initial_strain = 0.1;
+
+    /** "REGION: MATERIAL" at its last colon; a part is empty where it is missing. */
+    std::pair<std::string, std::string> split_region_material(const std::string &pair)
+    {
+      const std::size_t colon = std::min(pair.rfind(':'), pair.size());
+      return {trimmed(pair.substr(0, colon)),
+              trimmed(pair.substr(std::min(colon + 1, pair.size())))};
+    }
   } // namespace
 
   void BodyOptions::declare_kind(dealii::ParameterHandler &prm)
@@ -31,6 +47,11 @@ namespace vfife
       [this, shapes](const unsigned i) { mesh = shapes[i]; },
       "Shape, or a file of hexahedra");
     declare_text(prm, "material", material, "Name of a section \"Material NAME\"");
+    declare_names(prm,
+                  "region materials",
+                  region_materials,
+                  "Materials of regions of a mesh file that differ from the body's, REGION: "
+                  "MATERIAL each; MATERIAL names a section \"Material NAME\"");
   }
 
   void BodyOptions::declare(dealii::ParameterHandler &prm, const std::string &section)
@@ -57,6 +78,11 @@ namespace vfife
       shaft.declare(prm);
     else
       declare_shape(prm, section);
+    declare_text(prm,
+                 "temperature",
+                 temperature,
+                 "Formula of x, y, z [mm] in the undeformed body frame for the temperature above "
+                 "that at which the body has no stress [K]; each element has that of its middle");
     declare_vector(prm, "position", position, "mm", "Place of the body frame's origin");
     declare_vector(
       prm, "rotation axis", rotation_axis, "-", "Axis about which the body frame is turned");
@@ -112,6 +138,13 @@ namespace vfife
       shaft.check(section);
     else if (file.empty())
       throw InputError(section + "/file", "the name of the mesh file is missing");
+    if (mesh != from_file && !region_materials.empty())
+      throw InputError(section + "/region materials",
+                       "expected mesh = file, got mesh = " + mesh + ", which has one region");
+    for (const std::string &pair : region_materials)
+      if (const auto [region, name] = split_region_material(pair); region.empty() || name.empty())
+        throw InputError(section + "/region materials",
+                         "expected REGION: MATERIAL, got \"" + pair + "\"");
     if (rotation_axis.norm() == 0)
       throw InputError(section + "/rotation axis", "a direction of length zero");
     if (axis_direction.norm() == 0)
@@ -177,11 +210,90 @@ namespace vfife
                        list_of(names));
   }
 
-  Body BodyOptions::make(const std::string &name,
-                         const Material    &of_material,
-                         const std::string &section) const
+  std::vector<std::string> BodyOptions::material_names() const
   {
-    Body body(name, make_mesh(section), of_material);
+    std::vector<std::string> names = {material};
+    for (const std::string &pair : region_materials)
+      {
+        const std::string name = split_region_material(pair).second;
+        if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
+          names.push_back(name);
+      }
+    return names;
+  }
+
+  void BodyOptions::give_materials(BodyMesh &mesh, const std::string &section) const
+  {
+    if (region_materials.empty())
+      return;
+    const std::string                    entry = section + "/region materials";
+    const std::vector<std::string>       names = material_names();
+    std::map<unsigned int, std::uint8_t> of_region;
+    for (const std::string &pair : region_materials)
+      {
+        const auto [region, name] = split_region_material(pair);
+        std::vector<std::string> known;
+        bool                     found = false;
+        for (const auto &[id, other] : mesh.regions)
+          {
+            known.push_back(other);
+            if (mesh.names_without_case ? !boost::iequals(other, region) : other != region)
+              continue;
+            found = true;
+            if (!of_region.emplace(id, std::find(names.begin(), names.end(), name) - names.begin())
+                   .second)
+              throw InputError(entry, "region \"" + region + "\" has two materials");
+          }
+        if (!found)
+          throw InputError(entry,
+                           "expected a region of the file, got \"" + region + "\"" +
+                             did_you_mean(region, known) + "; the file has " +
+                             list_of(known, true));
+      }
+    std::vector<std::uint8_t> materials;
+    for (const auto &cell : mesh.triangulation.active_cell_iterators())
+      {
+        const auto found = of_region.find(cell->material_id());
+        materials.push_back(found == of_region.end() ? 0 : found->second);
+      }
+    mesh.structure.set_materials(std::move(materials));
+  }
+
+  void BodyOptions::give_temperature(Body &body, const std::string &section) const
+  {
+    const std::string entry = section + "/temperature";
+    if (temperature == "0")
+      return;
+    try
+      {
+        const Expression    formula(temperature, entry);
+        std::vector<double> strains;
+        for (unsigned int e = 0; e < body.n_elements(); ++e)
+          {
+            const double rise = formula(compute_centroid(body.element_nodes(e)), 0.);
+            strains.push_back(body.material(e).expansion * rise);
+            if (!(std::abs(strains.back()) < largest_initial_strain))
+              throw InputError(entry,
+                               "expected a temperature that expands the material by less than " +
+                                 std::to_string(100. * largest_initial_strain) + " %, got " +
+                                 std::to_string(rise) + " K at element " + std::to_string(e));
+          }
+        body.set_initial_strains(std::move(strains));
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(entry, error.what());
+      }
+  }
+
+  Body BodyOptions::make(const std::string           &name,
+                         const std::vector<Material> &materials,
+                         const std::string           &section) const
+  {
+    std::unique_ptr<BodyMesh> body_mesh = make_mesh(section);
+    give_materials(*body_mesh, section);
+    Body body(name, materials, std::move(body_mesh));
+    give_temperature(body, section);
     // x = R X + position: turned about the body frame's origin, then moved.
     body.placement.rotation    = rotation_about(rotation_axis.normalized(), rotation_angle);
     body.placement.translation = position;

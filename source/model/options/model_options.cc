@@ -150,17 +150,19 @@ namespace vfife
   void ModelOptions::declare_materials(dealii::ParameterHandler &prm)
   {
     materials_.clear();
-    materials_.reserve(bodies_.size()); // entries are bound by address
+    // One section for all bodies of a material.
+    std::vector<std::string> names;
     for (const auto &body : bodies_)
-      // One section for all bodies of that material.
-      if (std::none_of(materials_.begin(), materials_.end(), [&](const Material &m) {
-            return m.name == body.second.material;
-          }))
-        {
-          materials_.emplace_back();
-          materials_.back().name = body.second.material;
-          declare_section(prm, "Material " + body.second.material, materials_.back());
-        }
+      for (const std::string &name : body.second.material_names())
+        if (std::find(names.begin(), names.end(), name) == names.end())
+          names.push_back(name);
+    materials_.reserve(names.size()); // entries are bound by address
+    for (const std::string &name : names)
+      {
+        materials_.emplace_back();
+        materials_.back().name = name;
+        declare_section(prm, "Material " + name, materials_.back());
+      }
   }
 
   void ModelOptions::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
@@ -217,10 +219,13 @@ namespace vfife
   {
     Model model;
     for (const auto &body : bodies_)
-      // Bodies first: the other parts look up bodies and their nodes.
-      model.add_body(body.second.make(body.first,
-                                      material(body.second.material),
-                                      section_of("Body", body.first)));
+      {
+        // Bodies first: the other parts look up bodies and their nodes.
+        std::vector<Material> materials;
+        for (const std::string &name : body.second.material_names())
+          materials.push_back(material(name));
+        model.add_body(body.second.make(body.first, materials, section_of("Body", body.first)));
+      }
     for (const auto &constraint : constraints_)
       constraint.second.add_to(model, constraint.first, section_of("Constraint", constraint.first));
     for (const auto &load : loads_)

@@ -48,14 +48,13 @@ namespace vfife
       flank.nodes = body.mesh().surfaces.at(surface).nodes;
       flank.areas = compute_nodal_areas(body, flank.nodes);
 
-      // Node i of the first sector is node i + k n of sector k.
-      const unsigned int                   n = nodes_per_sector(body);
       std::map<unsigned int, unsigned int> place_of;
       for (std::size_t i = 0; i < flank.nodes.size(); ++i)
         {
           const unsigned int node = flank.nodes[i];
           const auto [place, is_new] =
-            place_of.emplace(node % n, static_cast<unsigned int>(flank.r_z.size()));
+            place_of.emplace(body.structure().first_copy(node),
+                             static_cast<unsigned int>(flank.r_z.size()));
           flank.places.push_back(place->second);
           if (is_new)
             {

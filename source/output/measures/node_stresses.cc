@@ -38,27 +38,32 @@ namespace vfife
     {
       // The same element of all sectors one after the other: they are turned copies, and what their
       // undeformed shape tells is found once.
-      const unsigned int n_sectors = body.mesh().n_sectors,
-                         in_sector = std::max(1u, body.n_elements() / n_sectors);
+      const BodyStructure &structure = body.structure();
       std::sort(elements.begin(), elements.end(), [&](const unsigned int a, const unsigned int b) {
-        return std::make_pair(a % in_sector, a) < std::make_pair(b % in_sector, b);
+        return std::make_pair(structure.first_copy_of_element(a), a) <
+               std::make_pair(structure.first_copy_of_element(b), b);
       });
       std::vector<Matrix3> turns;
-      for (unsigned int k = 0; k < n_sectors; ++k)
-        turns.push_back(rotation_about(Vector3::UnitZ(), 2. * pi * k / n_sectors));
+      for (unsigned int k = 0; k < structure.n_sectors(); ++k)
+        turns.push_back(rotation_about(Vector3::UnitZ(), structure.angle(k)));
 
       std::optional<StressRecovery> recovery; // of the element that is `first` of the copies
       HexahedronNodes               first_X;
       unsigned int                  first = 0;
       for (const unsigned int element : elements)
         {
-          const HexahedronNodes X       = body.element_nodes(element);
-          bool                  is_copy = recovery && element % in_sector == first % in_sector;
-          const Matrix3 turn = turns[is_copy ? (element - first) / in_sector % n_sectors : 0];
+          const HexahedronNodes X = body.stress_free_nodes(element);
+          bool                  is_copy =
+            recovery &&
+            structure.first_copy_of_element(element) == structure.first_copy_of_element(first) &&
+            &body.material(element) == &body.material(first);
+          const Matrix3 turn = turns[is_copy ? structure.sector_of_element(element) -
+                                                 structure.sector_of_element(first)
+                                             : 0];
           is_copy            = is_copy && agrees(turn * first_X, X);
           if (!is_copy)
             {
-              recovery.emplace(X, body.material(), kind, frame);
+              recovery.emplace(X, body.material(element), kind, frame);
               first_X = X;
               first   = element;
             }

@@ -189,8 +189,7 @@ namespace vfife
       for (unsigned int row = Fillet::first_row; row < fillet.end_row(); ++row, ++range, ++passage)
         {
           const PrincipalStresses stress = compute_principal_stresses(
-            compute_surface_stress(strains.facet(member, column, row, tooth),
-                                   model_.bodies[member.body].material()));
+            compute_surface_stress(strains.facet(member, column, row, tooth), fillet.material()));
           const Vector2 place = fillet.centre(column, row);
           if (stress.first > range->tension)
             {

@@ -116,7 +116,6 @@ namespace vfife
             ++b;
           const Body        &body    = model.bodies[b];
           const unsigned int element = number - body.first_element;
-          const auto        &sector  = body.mesh().sector;
           CellNodes          cell;
           for (unsigned int i = 0; i < 8; ++i)
             {
@@ -128,8 +127,8 @@ namespace vfife
             }
           grid.cells.push_back(cell);
           grid.cell_data[0].values.push_back(static_cast<float>(b));
-          grid.cell_data[1].values.push_back(sector.empty() ? 0.F
-                                                            : static_cast<float>(sector[element]));
+          grid.cell_data[1].values.push_back(
+            static_cast<float>(body.structure().sector_of_element(element)));
         }
       return grid;
     }

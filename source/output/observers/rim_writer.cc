@@ -73,8 +73,9 @@ namespace vfife
     constexpr double round_off = 1e-12;
     const bool       is_cyclic =
       std::max(point.head<2>().norm(), direction.head<2>().norm()) <= round_off;
-    n_sectors_                              = is_cyclic ? gear.mesh().n_sectors : 1;
-    const unsigned int                    n = gear.n_nodes() / n_sectors_;
+    const BodyStructure  one_sector(1, gear.n_nodes(), gear.n_elements());
+    const BodyStructure &structure = is_cyclic ? gear.structure() : one_sector;
+    n_sectors_                     = structure.n_sectors();
     std::map<unsigned int, std::uint32_t> place_of;
     std::set<unsigned int>                pairs;
     nodes_.clear();
@@ -84,7 +85,7 @@ namespace vfife
         const std::uint32_t local = partition.find_owned(gear.first_node + node);
         if (local == Partition::absent)
           continue;
-        const unsigned int first = node % n, sector = node / n;
+        const unsigned int first = structure.first_copy(node), sector = structure.sector_of(node);
         const auto [place, is_new] = place_of.emplace(first, places_.size());
         if (is_new)
           {

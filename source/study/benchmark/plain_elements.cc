@@ -29,7 +29,7 @@ namespace vfife
       {
         const HexahedronNodes X = body.element_nodes(e);
         // The whole 24 x 24 stiffness of each element, as a textbook has it.
-        elements_.push_back({compute_stiffness(X, body.material(), stiffness),
+        elements_.push_back({compute_stiffness(X, body.material(e), stiffness),
                              X.colwise() - X.col(0).eval(),
                              compute_mean_gradients(X),
                              compute_triad(X),

@@ -29,7 +29,7 @@ namespace vfife
                            const GearMember      &member,
                            const GearBodyOptions &options)
     : name(body.name())
-    , density(body.material().density)
+    , density(body.materials().front().density)
     , quality(compute_mesh_quality(body.mesh().triangulation))
     , mesh(compute_solid_integrals(body.mesh().triangulation))
     , exact(compute_true_integrals(member, options))

@@ -184,13 +184,13 @@ namespace vfife
     // Bodies of one material say the same, which the log writes once; but it counts.
     std::vector<std::string> seen;
     for (const Body &body : model.bodies)
-      {
-        const Material &material = body.material();
-        if (std::find(seen.begin(), seen.end(), material.name) != seen.end())
-          continue;
-        seen.push_back(material.name);
-        for (const std::string &doubt : material.find_doubts())
-          log.warning(doubt);
-      }
+      for (const Material &material : body.materials())
+        {
+          if (std::find(seen.begin(), seen.end(), material.name) != seen.end())
+            continue;
+          seen.push_back(material.name);
+          for (const std::string &doubt : material.find_doubts())
+            log.warning(doubt);
+        }
   }
 } // namespace vfife

@@ -203,7 +203,7 @@ namespace vfife
     add_branches(body.name(), branches, campbell_);
     add_resonances(body.name(),
                    branches,
-                   body.mesh().n_sectors,
+                   body.structure().n_sectors(),
                    fem_.mesh_orders,
                    find_pinion_ratio(model, b),
                    resonances_);

@@ -26,10 +26,10 @@ namespace vfife
       ExportedBody result;
       result.name           = body.name();
       result.mesh           = &body.mesh();
-      result.material       = body.material().name;
-      result.density        = body.material().density;
-      result.youngs_modulus = body.material().youngs_modulus;
-      result.poissons_ratio = body.material().poissons_ratio;
+      result.material       = body.materials().front().name;
+      result.density        = body.materials().front().density;
+      result.youngs_modulus = body.materials().front().youngs_modulus;
+      result.poissons_ratio = body.materials().front().poissons_ratio;
       return result;
     }
 

@@ -8,6 +8,7 @@
 #include <vfife/model/model.h>
 #include <vfife/study/cases/case.h>
 #include <vfife/study/pressure/calibrated_penalty.h>
+#include <vfife/study/pressure/facets_passed.h>
 #include <vfife/study/pressure/pressure_depth.h>
 
 namespace vfife
@@ -30,7 +31,8 @@ namespace vfife
     PointPenalties find_penalties(const Case          &the_case,
                                   Compliance          &compliance,
                                   const Model         &model,
-                                  std::vector<double> &errors)
+                                  std::vector<double> &errors,
+                                  FacetsPassed        &passed)
     {
       std::vector<double> first;
       for (const ContactPair &pair : model.contacts)
@@ -44,8 +46,9 @@ namespace vfife
       for (unsigned int i = 0; i < n_turns; i += n_turns / n_positions)
         {
           const PairEquilibriumResult result = equilibrium.solve(turns[i], 1.);
-          errors.push_back(error_of(compliance, result) +
-                           pressure.solve(equilibrium, result, &calibration).lead);
+          const PairPressures         found  = pressure.solve(equilibrium, result, &calibration);
+          errors.push_back(error_of(compliance, result) + found.lead);
+          passed.add(found.teeth);
         }
       return calibration.find();
     }
@@ -92,9 +95,10 @@ namespace vfife
     const auto          start = WallClock::now();
     PointPenalties      found;
     std::vector<double> grid_errors;
+    FacetsPassed        passed(model, 1. / n_positions);
     try
       {
-        found = find_penalties(the_case, compliance, model, grid_errors);
+        found = find_penalties(the_case, compliance, model, grid_errors, passed);
       }
     catch (const InputError &error)
       {
@@ -116,6 +120,18 @@ namespace vfife
     loaded.spring_errors = find_static_errors(compliance, model, penalties, n_turns / n_positions);
     for (std::size_t i = 0; i < grid_errors.size(); ++i)
       loaded.spring_errors[i] -= grid_errors[i];
+    for (unsigned int side = 0; side < 2; ++side)
+      {
+        const Vector2 facets       = passed.find(side);
+        loaded.facets_passed[side] = {{facets[0], facets[1]}};
+        log.line("facets of the ",
+                 model.bodies[side == 0 ? loaded.slave_body : loaded.master_body].name(),
+                 " that the contact passes per gear mesh: ",
+                 facets[0],
+                 " along the face, ",
+                 facets[1],
+                 " along the profile; the mesh excites near these orders of the gear mesh");
+      }
     log.line("contact penalty by the contact's own grid at ",
              n_positions,
              " positions: mean ",

@@ -23,7 +23,7 @@ namespace vfife
 
   RimBending::RimBending(const Model &model, const unsigned int largest)
     : model_(model)
-    , n_sectors_(model.bodies[model.transmission->driven].mesh().n_sectors)
+    , n_sectors_(model.bodies[model.transmission->driven].structure().n_sectors())
     , largest_(std::min(largest, (model.transmission->driven_teeth - 1) / 2))
   {
     const Transmission &t    = *model.transmission;
@@ -32,8 +32,7 @@ namespace vfife
       return;
     // Nodes of a sector lie around its middle: the sector whose undeformed angle is the nearest to
     // that of the contact has the contact's tooth. Nodes have the numbers of their sectors.
-    const unsigned int in_sector = body.n_nodes() / n_sectors_;
-    double             nearest   = std::numeric_limits<double>::infinity();
+    double nearest = std::numeric_limits<double>::infinity();
     for (const unsigned int node :
          body.mesh().surfaces.at(model.contacts.front().master_surface).nodes)
       {
@@ -42,11 +41,11 @@ namespace vfife
         if (distance < nearest)
           {
             nearest         = distance;
-            contact_sector_ = node / in_sector;
+            contact_sector_ = body.structure().sector_of(node);
           }
       }
     for (const unsigned int node : t.driven_rim)
-      sectors_.push_back(node / in_sector);
+      sectors_.push_back(body.structure().sector_of(node));
   }
 
   Vector3 RimBending::measure(const State &state, const Communicator &communicator) const

@@ -96,6 +96,14 @@ namespace vfife
     summary.figures.push_back({figure_name::spring_error_at_rest, {at_rest, "arcsec"}});
     summary.figures.push_back({figure_name::spring_error, {in_run, "arcsec"}});
     summary.figures.push_back({figure_name::spring_force, {peak_to_peak(forces), "N"}});
+    const ContactPair &pair = model.contacts.front();
+    for (unsigned int side = 0; side < 2; ++side)
+      for (unsigned int way = 0; way < 2; ++way)
+        summary.figures.push_back(
+          {model.bodies[side == 0 ? pair.slave_body : pair.master_body].name() +
+             (way == 0 ? " facets passed per gear mesh along the face"
+                       : " facets passed per gear mesh along the profile"),
+           {pair.facets_passed[side][way], "-"}});
     log.line("excitation by the contact points, peak to peak: transmission error ",
              at_rest,
              " arcsec at rest, ",

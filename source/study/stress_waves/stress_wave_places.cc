@@ -61,9 +61,7 @@ namespace vfife
 
   StressWavePlaces::StressWavePlaces(const Model &model, const RootStress *const roots)
     : driven_(model.transmission->driven)
-    , material_(model.bodies[driven_].material())
-    , n_sectors_(model.transmission->driven_teeth)
-    , nodes_per_sector_(nodes_per_sector(model.bodies[driven_]))
+    , structure_(model.bodies[driven_].structure())
   {
     for (const Probe &probe : model.probes)
       if (probe.body == driven_)
@@ -109,7 +107,7 @@ namespace vfife
     StressWaves waves = none();
     // Re(w exp(i n alpha)) is in w and its conjugate, but where all sectors have the same.
     const auto phase = [&](const unsigned int sector) {
-      return std::polar((n == 0 ? 1. : 2.) / n_sectors_, -(n * sector * 2. * pi / n_sectors_));
+      return std::polar((n == 0 ? 1. : 2.) / structure_.n_sectors(), -structure_.angle(n * sector));
     };
     for (std::size_t p = 0; probes && p < copies_.size(); ++p)
       {
@@ -117,7 +115,7 @@ namespace vfife
         for (std::size_t m = 0; m < values.size(); ++m)
           for (std::size_t c = 0; c < 6; ++c)
             waves.probes[p][c] +=
-              phase(copies_[p][m].node / nodes_per_sector_) * values[m].stress[c];
+              phase(structure_.sector_of(copies_[p][m].node)) * values[m].stress[c];
       }
     for (std::size_t f = 0; strains != nullptr && f < fillets_.size(); ++f)
       for_each_facet(*fillets_[f],
@@ -138,7 +136,9 @@ namespace vfife
     for_each_facet(*fillets_[fillet],
                    strains,
                    [&](const std::size_t facet, unsigned int, const SurfaceTensor &strain) {
-                     tensions[facet] = std::max(tensions[facet], find_tension(strain, material_));
+                     tensions[facet] =
+                       std::max(tensions[facet],
+                                find_tension(strain, fillets_[fillet]->fillet.material()));
                    });
     return tensions;
   }
@@ -161,13 +161,13 @@ namespace vfife
     std::size_t n_columns = 6 * copies_.size();
     for (const MemberFillet *member : fillets_)
       n_columns += 3 * count_facets(member->fillet);
-    Eigen::MatrixXd read   = Eigen::MatrixXd::Zero(n_sectors_, n_columns);
+    Eigen::MatrixXd read   = Eigen::MatrixXd::Zero(structure_.n_sectors(), n_columns);
     std::size_t     column = 0;
     for (const std::vector<Probe> &copies : copies_)
       {
         const std::vector<ProbeValue> values = probes(copies);
         for (std::size_t m = 0; m < values.size(); ++m)
-          read.block<1, 6>(copies[m].node / nodes_per_sector_, column) =
+          read.block<1, 6>(structure_.sector_of(copies[m].node), column) =
             Eigen::Map<const Eigen::Matrix<double, 1, 6>>(values[m].stress.data());
         column += 6;
       }
@@ -206,7 +206,7 @@ namespace vfife
             largest.back() =
               std::max(largest.back(),
                        find_tension(SurfaceTensor(read.block<1, 3>(tooth, column).transpose()),
-                                    material_));
+                                    member->fillet.material()));
       }
     return largest;
   }
@@ -218,14 +218,15 @@ namespace vfife
       largest.push_back(find_largest_of(probe, [](const std::array<double, 6> &parts) {
         return von_mises(Eigen::Map<const Stress>(parts.data()));
       }));
-    for (const auto &fillet : waves.fillets)
+    for (std::size_t f = 0; f < waves.fillets.size(); ++f)
       {
         largest.push_back(0);
-        for (const StressWaves::OfFacet &facet : fillet)
+        for (const StressWaves::OfFacet &facet : waves.fillets[f])
           largest.back() =
             std::max(largest.back(),
                      find_largest_of(facet, [&](const std::array<double, 3> &parts) {
-                       return find_tension(SurfaceTensor(parts[0], parts[1], parts[2]), material_);
+                       return find_tension(SurfaceTensor(parts[0], parts[1], parts[2]),
+                                           fillets_[f]->fillet.material());
                      }));
       }
     return largest;

@@ -35,7 +35,8 @@ namespace vfife
      * taken from that. Whether it is the former. */
     bool follow(std::uint32_t local, const Vector3 &way, const State &state);
 
-    /** Chooses s for the present u: 1 where @p wanted is false or u is large. Collective. */
+    /** Chooses s for the present u: 1 where @p wanted is false, u is large or a body has initial
+     * strains, whose forces are not of the first order in u. Collective. */
     void   choose_scale(bool wanted);
     double scale() const
     {
@@ -51,6 +52,10 @@ namespace vfife
     /** Sets @p forces to the internal ones at @p state. Collective. */
     void compute_internal_forces(const State &state, NodeField &forces);
 
+    /** Adds the internal forces of the undeformed bodies, which initial strains have. Collective.
+     */
+    void add_strain_forces(NodeField &forces);
+
   private:
     /** Largest change of u along an edge of an element over its length. Collective. */
     double compute_gradient() const;
@@ -60,7 +65,8 @@ namespace vfife
     const Communicator &communicator_;
     NodeField           places_, local_; ///< X, and about the middle of each body
     NodeField           displacements_, scaled_, other_;
-    double              scale_ = 1;
+    double              scale_    = 1;
+    bool                strained_ = false; ///< a body has initial strains
   };
 } // namespace vfife
 

@@ -100,6 +100,7 @@ namespace vfife
     double                                                     depth_;
     std::array<unsigned int, 2>                                bodies_;
     std::array<const FacetSurface *, 2>                        facets_;
+    std::array<Material, 2>                                    materials_; ///< under the flanks
     std::array<SurfaceGeometry, 2>                             surfaces_;
     std::array<std::vector<double>, 2>                         positions_;
     std::array<Matrix3, 2>                                     rotations_;

@@ -70,12 +70,15 @@ namespace vfife
       return element_points_.data() + static_cast<std::size_t>(n_local_) * e;
     }
     ElementNodes element_nodes(unsigned int e) const;
+    /** Body::stress_free_nodes() of all points. */
+    ElementNodes stress_free_nodes(unsigned int e) const;
 
     const Part     &part_of_element(unsigned int e) const;
     const Part     &part_of_point(unsigned int p) const;
     const Material &material(const unsigned int e) const
     {
-      return model_->bodies[part_of_element(e).body].material();
+      const Part &part = part_of_element(e);
+      return model_->bodies[part.body].material(e - part.first_element);
     }
 
     /** The part of that body of the model, or nullptr. */
@@ -101,6 +104,8 @@ namespace vfife
 
     /** Values of the element's points gathered from @p u (3 a point). */
     Eigen::VectorXd gather(unsigned int e, const std::vector<double> &u) const;
+    /** The same from stress_free_nodes(): only these displacements strain the element. */
+    Eigen::VectorXd gather_from_stress_free(unsigned int e, const std::vector<double> &u) const;
 
   private:
     Discretization(const Model &model, FemElement element);

@@ -22,6 +22,8 @@ namespace vfife
     SteppedShaftOptions               shaft;     ///< of `mesh = stepped shaft`
     std::string                       file;      ///< of `mesh = file`, see read_body()
     std::vector<std::string>          regions;   ///< of that file; none: all
+    std::vector<std::string>          region_materials;  ///< "REGION: MATERIAL"
+    std::string                       temperature = "0"; ///< formula of x, y, z [K]
 
     Vector3 position       = Vector3::Zero(); ///< of the body frame's origin [mm]
     Vector3 rotation_axis  = Vector3::UnitZ();
@@ -37,7 +39,7 @@ namespace vfife
     /** Formulas of x, y, z [mm] of the undeformed body frame, added to that [mm/s]. */
     std::array<std::string, 3> initial_velocity = {{"0", "0", "0"}};
 
-    /** Declares the entries that decide about others: mesh and material. */
+    /** Declares the entries that decide about others: mesh and materials. */
     void declare_kind(dealii::ParameterHandler &prm);
 
     /** Declares all entries; mesh must be known. Bound by address. */
@@ -45,13 +47,20 @@ namespace vfife
 
     void check(const std::string &section) const;
 
-    Body
-    make(const std::string &name, const Material &of_material, const std::string &section) const;
+    /** Names of sections Material NAME, each once: that of the body, then those of regions. */
+    std::vector<std::string> material_names() const;
+
+    /** @p materials: of material_names(). */
+    Body make(const std::string           &name,
+              const std::vector<Material> &materials,
+              const std::string           &section) const;
 
   private:
     void declare_shape(dealii::ParameterHandler &prm, const std::string &section);
     std::unique_ptr<BodyMesh> make_mesh(const std::string &section) const;
     std::unique_ptr<BodyMesh> read_file(const std::string &section) const;
+    void                      give_materials(BodyMesh &mesh, const std::string &section) const;
+    void                      give_temperature(Body &body, const std::string &section) const;
   };
 } // namespace vfife
 

@@ -92,8 +92,7 @@ namespace vfife
     for_each_facet(const MemberFillet &member, const FilletStrains &strains, const TakeFacet &take);
 
     unsigned int                      driven_;
-    const Material                   &material_;
-    unsigned int                      n_sectors_, nodes_per_sector_;
+    const BodyStructure              &structure_;
     std::vector<std::string>          names_;
     std::vector<std::vector<Probe>>   copies_; ///< by probe
     std::vector<const MemberFillet *> fillets_;

@@ -1,0 +1,44 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/types.h>
+#include <vfife/mesh/body_structure.h>
+
+#include <utility>
+
+namespace vfife
+{
+  BodyStructure::BodyStructure(const unsigned int n_sectors,
+                               const unsigned int n_nodes,
+                               const unsigned int n_elements,
+                               const unsigned int n_axis_nodes)
+    : n_sectors_(n_sectors)
+    , nodes_per_sector_((n_nodes - n_axis_nodes) / n_sectors)
+    , elements_per_sector_(n_elements / n_sectors)
+    , n_axis_nodes_(n_axis_nodes)
+  {
+    if (n_sectors * nodes_per_sector_ + n_axis_nodes != n_nodes ||
+        n_sectors * elements_per_sector_ != n_elements)
+      throw InputError("a body of " + std::to_string(n_sectors) + " equal sectors cannot have " +
+                       std::to_string(n_nodes) + " nodes, " + std::to_string(n_axis_nodes) +
+                       " of them on the axis, and " + std::to_string(n_elements) + " elements");
+  }
+
+  double BodyStructure::angle(const unsigned int sector) const
+  {
+    return 2. * pi * sector / n_sectors_;
+  }
+
+  unsigned int BodyStructure::copy(const unsigned int node, const int further) const
+  {
+    if (is_on_axis(node))
+      return node;
+    const int n      = n_sectors_;
+    const int sector = (static_cast<int>(node / nodes_per_sector_) + further % n + n) % n;
+    return sector * nodes_per_sector_ + node % nodes_per_sector_;
+  }
+
+  void BodyStructure::set_materials(std::vector<std::uint8_t> materials)
+  {
+    materials_ = std::move(materials);
+  }
+} // namespace vfife
