@@ -14,8 +14,8 @@ namespace vfife
 
   /**
    * What the bearings of a pair's bodies do beyond the linear springs K0 that the bodies' answers
-   * have for them (doc/theory/fem.md, On bearings): springs on the motion d = B u of their rings in
-   * axes that turn with the body, with the energy
+   * have for them (doc/theory/fem.md, Pair in bearings): springs on the motion d = B u of their
+   * rings in axes that turn with the body, with the energy
    *
    *   E(q) - (d - d0) . K0 (d - d0)/2 + w0 . d,     q = P R d
    *
