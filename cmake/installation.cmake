@@ -21,7 +21,7 @@ install(
   PATTERN __pycache__ EXCLUDE)
 # Whose words reports explain.
 install(
-  FILES doc/glossary.md
+  FILES doc/reference/glossary.md
   DESTINATION ${CMAKE_INSTALL_DATADIR}/vfife/report
   COMPONENT report)
 # Python finds the packages beside the report by links: PREFIX/lib/python3/dist-packages, which Debian's Python knows for

@@ -1,5 +1,5 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-# Python's module _vfife (doc/python.md, Without files), made where Python's headers and pybind11 are.
+# Python's module _vfife (doc/reference/python.md, Without files), made where Python's headers and pybind11 are.
 # It is the only shared object; the library is position independent for it (CMakeLists.txt).
 
 # Debian's Python has the libraries of reports also where another one comes first in PATH.

@@ -4,7 +4,7 @@
 #
 # The loaded transmission error of a 17/43 pair under 350 N m is brought down by two of the numbers that its flanks are
 # proposed from: the length of the contact ellipse, which is the lengthwise crowning, and the direction of the path. Nothing is written: the pair is a text, each analysis a call that takes seconds. It needs the compiled
-# module `_vfife` (doc/python.md); `python3 examples/quieter_pair.py` runs all cells.
+# module `_vfife` (doc/reference/python.md); `python3 examples/quieter_pair.py` runs all cells.
 
 # %%
 import math

@@ -58,66 +58,67 @@ ENTRIES = (
           (("contact ratio of the drive side", "drive side, contact ratio", 3),
            ("unloaded transmission error, peak to peak", "drive side, peak to peak", 3),
            ("play of the gear", "teeth/play of the gear", 4)),
-          "Blanks and machine settings are proposed by local synthesis; the parabola of each tooth pair's lag is the crowning, where "
-          "two of them cross the load goes over to the next pair. [Gears](gear.md)"),
+          "Local synthesis proposes blanks and machine settings. The parabola of each tooth pair shows its crowning. Contact passes to "
+          "the next tooth pair where two parabolas cross. [Gears](theory/gear.md)"),
     Entry("measured_flank", "Flanks as measured", "errors/topography.prm", "tca.svg",
           (("transmission error of the drive side, peak to peak", "drive side, peak to peak", 3),
            ("of the coast side, whose flanks have no errors", "coast side, peak to peak", 3),
            ("contact ratio of the drive side", "drive side, contact ratio", 3)),
-          "A gear flank from a measuring machine and a pinion flank with five terms of an ease-off: errors of some micrometres more than "
-          "treble the 1.8 arcsec of the flanks as designed. [Errors](errors.md)"),
+          "The gear flank is measured, the pinion flank has five terms of an ease-off. Errors of some micrometres more than treble the "
+          "1.8 arcsec of the designed flanks. [Errors](theory/errors.md)"),
     Entry("running_pair", "The coarse pair at 20,000 rpm", "spiral_bevel_quick.prm", "teeth_in_mesh.png",
           (("mean transmission error", "dte mean", 3), ("its peak to peak", "dte peak to peak", 2),
            ("mean contact force", "contact force total mean", 3)),
-          "Explicit dynamics of 19,380 elements over 14 tooth meshes: two to three tooth pairs carry, which is seen in the section and as "
-          "pressure on the flanks. [Study](study.md)"),
+          "Explicit dynamics of 19,380 elements over 14 mesh cycles. The section and the pressure on the flanks show two to three tooth "
+          "pairs in contact. [Run](reference/kinds.md#run-of-a-gear-pair)"),
     Entry("reduced_pair", "The same pair with reduced bodies", "reduced/spiral_bevel_quick.prm", "rim_waves.svg",
           (("mean transmission error", "dte mean", 3),
            ("its peak to peak in the second half",
             "steady part/ripple/columns/dte/peak to peak of the second half", 2),
            ("mean contact force", "contact force total mean", 3)),
-          "143 modes and the residual flexibility of four teeth give the mean of the run in seconds, so that 60 tooth meshes are "
-          "affordable; the waves of the rim show in both directions of travel. [Reduced bodies](reduced.md)"),
+          "143 modes and the residual flexibility of four teeth give the mean of the run in seconds for 60 mesh cycles. The plots show "
+          "the waves of the rim in both directions of travel. [Reduced bodies](theory/reduced.md)"),
     Entry("driven_wave", "A travelling wave of the web, driven", "waves/one_wave.prm", "driven_waves.svg",
           (("speed of the wave, predicted", of_column("waves_lines", "speed in contact", value_at(0)), 4),
            ("speed of its peak", of_column("waves_lines", "peak speed", value_at(0)), 4),
            ("amplitude of the rim", of_column("waves_lines", "amplitude", value_at(0)), 3)),
-          "Four nodal diameters run with the spin where the first order of the tooth mesh meets them: the reduced pair is driven there, and "
-          "the fitted peak stands where it was predicted. [Waves](waves.md)"),
+          "Mesh order 1 excites the forward wave of four nodal diameters. The reduced pair is computed around the predicted speed; the "
+          "fitted peak agrees with the prediction. [Waves](theory/waves.md)"),
     Entry("root_stress", "Root stress of a tooth through the mesh", "stress/root_stress_quick.prm", "root_stress.svg",
           (("tension in the pinion's root", "pinion root tension", 3), ("tension in the gear's root", "gear root tension", 3),
            ("range of the gear's root", "gear root stress range", 3)),
-          "A tooth is pressed before and after it is bent: the range is more than the tension. [Root stress](stress.md)"),
+          "The root has compression as well as tension during one engagement, so the stress range exceeds the tension. "
+          "[Root stress](theory/stress.md)"),
     Entry("ball_passage", "Balls that pass the load", "supports/ball_passage.prm", "bearings.svg",
           (("least displacement of a seat", of_column("bearings", "displacement x", np.min, bearing="left"), 3),
            ("largest", of_column("bearings", "displacement x", np.max, bearing="left"), 3),
            ("largest force of a bearing", of_column("bearings", "radial force", np.max), 4)),
-          "With clearance the stiffness of a ball bearing varies as its cage rolls: most displacement where one ball lies under the "
-          "load. [Bearings](bearing.md)"),
+          "With clearance the stiffness of a ball bearing varies as its cage rolls. The displacement is largest with one ball under the "
+          "load. [Bearings](theory/bearing.md)"),
     Entry("whirl", "A rotor in bearings over its speed", "supports/two_discs.prm", "whirl_rotor.svg",
           (("first bending mode at rest", of_column("modes", "fixed frequency", least_positive, speed=0), 4),
            ("backward at 4000 rpm", of_column("modes", "fixed frequency", np.min, speed=4000, whirl="backward"), 4),
            ("forward", of_column("modes", "fixed frequency", np.min, speed=4000, whirl="forward"), 4)),
-          "Gyroscopic moments of the discs part forward from backward whirl. [Bearings](bearing.md)"),
+          "Gyroscopic moments of the discs separate the frequencies of forward and backward whirl. [Bearings](theory/bearing.md)"),
     Entry("loaded_pair", "Load without dynamics", "fem/loaded_spiral_bevel_quick.prm", "loaded_contact.svg",
           (("mean transmission error", "transmission error mean", 3),
            ("tangent stiffness of the mesh", "tangent stiffness mean", 3),
            ("mean contact force", "contact force total mean", 3)),
-          "The static equilibrium over one tooth mesh, on the same mesh by conventional finite elements: the run and the reduced pair "
-          "swing about it. [Conventional finite elements](fem.md)"),
+          "Static equilibria over one mesh cycle by conventional finite elements on the same mesh. Run and reduced pair oscillate about "
+          "their mean. [Conventional finite elements](theory/fem.md)"),
     Entry("jumps", "Flanks that part: jumps over speed", "lumped/torsional_pair.prm", "lumped_response.svg",
           (("largest peak to peak of the transmission error", "sweep/largest peak to peak dte", 3),
            ("at the speed", "sweep/at the speed", 4),
            ("largest difference of both directions", "sweep/largest difference of both directions", 3)),
-          "Backlash bends the resonance: run up and run down follow other branches. [Lumped models](lumped.md)"),
+          "With backlash the response has two branches: rising and falling speed follow different ones. [Lumped models](theory/lumped.md)"),
     Entry("plate", "A mesh of one's own: plate with a hole", "verification/plate_with_hole.prm", "bodies.png",
           (("stress beside the hole, of 10 MPa far away", of_column("history", "beside stress x", value_at(-1)), 3),
            ("stress ahead of it", of_column("history", "ahead stress y", value_at(-1)), 3),
            ("strain energy", "energy/strain", 4)),
-          "Meshes of Gmsh, Abaqus and VTK are bodies as well; their named groups carry supports and loads. [Model](model.md)"),
+          "Mesh files of Gmsh, Abaqus and VTK are bodies too; supports and loads refer to their named groups. [Own mesh](how-to/own-mesh.md)"),
     Entry("impact", "Two bars exchange their velocities", "verification/two_bars.prm", "energies.svg",
           (("force between them (1005.3 N by the theory of waves)", force_in_contact, 5),
            ("they touch for (39.04 us)", time_in_contact, 3),
            ("largest strain energy, half of all there is", of_column("history", "strain energy", np.max), 3)),
-          "Implicit contact in an explicit run takes no energy and brings none. [Contact](contact.md)"),
+          "Implicit contact conserves energy within the explicit integration. [Contact](theory/contact.md#in-time)"),
 )

@@ -28,7 +28,7 @@ namespace vfife
     constexpr double sleep_per_gap = 0.8;
 
     /** What a point that touches costs besides, its pressure and forces, in the cost of finding
-     * where it lies (measured, doc/verification.md). */
+     * where it lies (measured, doc/verification/contact.md). */
     constexpr double work_of_touching = 2.;
 
     /** Cosine between the normals below which slave and master count as facing each other. */

@@ -182,7 +182,7 @@ namespace vfife
         point.elastic        = row.damping > 0. ? row.elastic : row.pressure;
         // With m v- . v+/2 and the energy of all else at t_n, E(a), E(b) and the work of the
         // pressure from the mean of a and b to the penetration at t_n stay the same
-        // (doc/contact.md).
+        // (doc/theory/contact.md).
         point.energy = .5 * (pressed_[3 * i].energy + pressed_[3 * i + 2].energy) -
                        row.pressure * (.5 * (row.before + row.after) + row.gap);
       }

@@ -83,7 +83,7 @@ namespace vfife
         const Vector2 a = meridian[i], b = meridian[(i + 1) % meridian.size()];
         for (unsigned int q = 0; q < quadrature.size(); ++q)
           {
-            // point of the edge, and pi r^2 dz: V = pi int r^2 dz and so on (doc/mesh.md)
+            // point of the edge, and pi r^2 dz: V = pi int r^2 dz and so on (doc/theory/mesh.md)
             const Vector2 x      = a + quadrature.point(q)[0] * (b - a);
             const double  weight = pi * quadrature.weight(q) * (b[1] - a[1]) * x[0] * x[0];
             sum.volume += weight;

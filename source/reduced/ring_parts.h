@@ -26,7 +26,7 @@ namespace vfife
    * across it, R e = e exp(-i alpha), a ring of N sectors moves by N Pi B z, B the part of sector
    * 0, Pi = a a^T for h = 0 and e e^H for h = 1, and loads w on it are forces B^T w_h on sector 0
    * with the phase h alpha from one sector to the next, w_0 = a a^T w, w_1 = 2 e e^H w, both of
-   * displacements and turns alike (doc/reduced.md, On bearings).
+   * displacements and turns alike (doc/theory/reduced.md, On bearings).
    */
   class RingParts
   {

@@ -260,7 +260,7 @@ namespace vfife
       return a.path < b.path;
     });
     out << "# Parameters\n\nAll sections of parameter files, by `vfife --parameter-reference`. How "
-           "files are written: [parameters.md](parameters.md).\n";
+           "files are written: [parameter file](reference/parameter-file.md).\n";
     for (const Section &section : sections)
       {
         out << "\n## " << section.path << "\n\n";

@@ -167,7 +167,8 @@ namespace
     check(name + ", equilibrium", soft.converged && hard.converged);
     // What the penalty costs is halved with twice the penalty: two runs tell what it would be
     // without. Three elements over the half-width: measured 1 to 1.5 % (true surface, smooth
-    // patches) and 2 to 3.5 % (flat facets); a quarter of it with six (doc/verification.md).
+    // patches) and 2 to 3.5 % (flat facets); a quarter of it with six
+    // (doc/verification/contact.md).
     const double force = 2. * hard.force - soft.force;
     check_close(name + ", force over Hertz's",
                 4. * force / hertz_force,

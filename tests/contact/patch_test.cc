@@ -246,7 +246,7 @@ namespace
 int main()
 {
   using D = ContactDiscretization;
-  // bounds: measured values of doc/contact.md, rounded up
+  // bounds: measured values of doc/verification/contact.md, rounded up
   check_error("nodes", options_for(D::nodes, 3), 0.55);
   check_error("surface points, 2 x 2", options_for(D::surface_points, 2), 0.027);
   check_error("surface points, 3 x 3", options_for(D::surface_points, 3), 0.0052);

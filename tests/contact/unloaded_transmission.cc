@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // The meshed reference pair turned slowly without load: where the contact module lets the flanks
 // touch, against the tooth contact analysis on the generated flanks, for what the facets stand for
-// and three mesh densities. Bounds: measured values of doc/contact.md, rounded up.
+// and three mesh densities. Bounds: measured values of doc/verification/geometry.md, rounded up.
 #include "../gear/paper_pair.h"
 #include "../tests.h"
 #include "rigid_pair.h"

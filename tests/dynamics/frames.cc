@@ -75,8 +75,8 @@ int main(int argc, char **argv)
         }
       else
         {
-          // Moments of the order of the strain, 1e-3, times the strain; doc/element.md has the
-          // numbers.
+          // Moments of the order of the strain, 1e-3, times the strain; doc/theory/element.md has
+          // the numbers.
           check("three nodes: leaks, but little", one.leak > 1e-8 && one.leak < 1e-4);
           check("three nodes: numbering matters, but little",
                 difference > 1e-7 && difference < 1e-3);

@@ -195,7 +195,7 @@ namespace
     const double way   = limit / k + push / k * omega * std::sin(angle) * time +
                        .5 * (push - limit) / mass * time * time;
     const std::string name = example.name();
-    // What is left of the vibrations lets finer blocks stick now and then (doc/contact.md).
+    // What is left of the vibrations lets finer blocks stick now and then (doc/theory/contact.md).
     check_close(name + "pushed, way over that of a rigid block",
                 found.way.dot(direction) / way,
                 1.,

@@ -70,7 +70,7 @@ namespace
                       description.nodal_diameter == int(n) && description.share > .999);
                 check("nodal circles", description.nodal_circles == 0);
                 // Measured 2.6 % at four diameters, falling with the square of the cells
-                // (doc/verification.md).
+                // (doc/verification/element.md).
                 check_close(choice.first + ", frequency over reference", ratio, 1., 3e-2);
               }
           }
@@ -241,7 +241,8 @@ int main(int argc, char **argv)
   const Communicator &communicator = session.world();
   annular_plate(communicator);
   shuffled_plate(communicator);
-  // What these meshes give; a line support has no limit under refinement (doc/verification.md).
+  // What these meshes give; a line support has no limit under refinement
+  // (doc/verification/element.md).
   nafems_plate(FemElement::incompatible_modes,
                {{8, 8, 3}},
                {{.02, .05, .05, .04, .02, .02, .02}},

@@ -43,7 +43,7 @@ PITCH = {"pinion": np.arctan(REAL(27) / 79), "gear": np.arctan(REAL(79) / 27)}
 
 
 class Flank:
-    """Cutter and machine of one flank; tables of the paper with its contradictions settled (doc/gear.md)."""
+    """Cutter and machine of one flank; tables of the paper with its contradictions settled (doc/theory/gear.md)."""
 
     def __init__(self, member, side, radius, radial, cradle, offset, base, back, edge):
         self.name = f"{member} {side}"

@@ -4,7 +4,8 @@
 
 #include <vfife/gear/spiral_bevel/gear_pair.h>
 
-/** The pair of the paper: its Tables 1 and 2 with the contradictions settled as doc/gear.md says.
+/** The pair of the paper: its Tables 1 and 2 with the contradictions settled as doc/theory/gear.md
+ * says.
  */
 namespace paper
 {

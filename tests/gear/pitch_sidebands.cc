@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Lines of the unloaded transmission error over a turn of a gear with pitch errors: at n f_mesh +-
-// q f_shaft as the staircase of the teeth in mesh has them (doc/errors.md, Sidebands).
+// q f_shaft as the staircase of the teeth in mesh has them (doc/theory/errors.md, Sidebands).
 #include "../tests.h"
 #include "paper_pair.h"
 

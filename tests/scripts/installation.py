@@ -16,7 +16,7 @@ INSTALLED = ("bin/vfife", "bin/vfife-study", "lib*/**/libvfife.a", "lib*/**/vfif
              "include/vfife/revision.h", "lib/python3/dist-packages/vfife/__init__.py", "share/vfife/report/make_report.py",
              "share/vfife/prm/spiral_bevel_quick.prm", "share/vfife/prm/errors/pitch_error.csv",
              "share/vfife/meshes/plate_with_hole.msh", "share/vfife/examples/proposed_pair.py",
-             "share/vfife/examples/quieter_pair.py", "share/doc/vfife/README.md", "share/doc/vfife/copyright", "share/doc/vfife/doc/user_guide.md",
+             "share/vfife/examples/quieter_pair.py", "share/doc/vfife/README.md", "share/doc/vfife/copyright", "share/doc/vfife/doc/getting-started/first-run.md",
              "share/doc/vfife/doc/pictures/pair_stress.png", "share/bash-completion/completions/vfife")
 LINK = re.compile(r"\]\(([^)\s:#]+)(?:#[^)]*)?\)")
 

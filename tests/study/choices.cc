@@ -131,7 +131,7 @@ end
             error              = largest_of(error, std::abs(way[i] + sag * (1 - swing)) / sag);
           }
         // Central differences are faster by (omega dt)^2/24, 4e-5 of 16 rad; a run that starts out
-        // of balance is half a step ahead (doc/dynamics.md).
+        // of balance is half a step ahead (doc/theory/dynamics.md).
         const double ahead =
           start == "undeformed" ? omega * (h["time"][1] - h["time"][0]) / 20 : 0.;
         check_below("start " + start + ": way over the sag, less the closed form",

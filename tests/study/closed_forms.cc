@@ -167,8 +167,8 @@ end
         largest = largest_of(largest, tip[i]);
       }
     check("released: the whole way is seen", time.back() > 2.9 * wave);
-    // Nothing has come from the foot yet, but the run is half a step ahead (doc/dynamics.md): by
-    // g t dt/2.
+    // Nothing has come from the foot yet, but the run is half a step ahead
+    // (doc/theory/dynamics.md): by g t dt/2.
     check_below("released: the tip falls freely, less g t^2/2 over g (L/c)^2",
                 falling,
                 0.5 * (time[1] - time[0]) / wave);

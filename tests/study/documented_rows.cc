@@ -1,8 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// Rows of tables of doc/verification.md and doc/paper_comparison.md, made again: the cheapest row
-// of each table that no other test makes. The numbers are those of the pages, read from there, and
-// have to agree within one unit of their last digit; contrib/check_pages asks for such a row of
-// every table.
+// Rows of tables of doc/verification, made again: the cheapest row of each table that no other test
+// makes. The numbers are those of the pages, read
+// from there, and have to agree within one unit of their last digit; contrib/check_pages asks for
+// such a row of every table.
 #include "../parts.h"
 #include "../tests.h"
 #include "quick_pair.h"
@@ -21,7 +21,10 @@ namespace
 {
   using Columns = std::map<std::string, std::vector<double>>;
 
-  const std::string verification = "verification.md", paper = "paper_comparison.md";
+  const std::string element_page  = "verification/element.md",
+                    dynamics_page = "verification/dynamics.md",
+                    pair_page     = "verification/gear-pair.md",
+                    paper         = "verification/case-study-27-79.md";
 
   /** Both pages state the coarse pair with them. */
   const std::string three_points  = "Contact/points per facet=3",
@@ -118,7 +121,7 @@ namespace
   void modes(Communicator &world)
   {
     const auto row =
-      row_of(verification, "### Gear of the reference pair", "quick (15,168 elements), 0 ");
+      row_of(element_page, "### Gear of the reference pair", "quick (15,168 elements), 0 ");
     const Columns found = read_columns(do_case("prm/spiral_bevel_modes.prm",
                                                {"Operation/hub=free rotation",
                                                 "Fem/speeds=0",
@@ -141,7 +144,7 @@ namespace
     for (const std::string measure : {"green", "biot"})
       {
         const auto row =
-          row_of(verification, "### Rise of frequencies", "`strain measure = " + measure + "`");
+          row_of(element_page, "### Rise of frequencies", "`strain measure = " + measure + "`");
         const Columns found = read_columns(
           do_case("prm/fem/gear_in_spin.prm",
                   {"Fem/strain measure=" + measure, "Fem/modes=1", "Output/pictures=no"},
@@ -158,11 +161,11 @@ namespace
   void spinning_block(Communicator &world)
   {
     const std::string file = "prm/verification/free_spin.prm";
-    auto              row  = row_of(verification, "| safety |", "polar, largest energy error");
+    auto              row  = row_of(dynamics_page, "| safety |", "polar, largest energy error");
     auto              h    = run_case(file, {"Dynamics/safety=0.9"}, world);
     compare("safety 0.9 [%]", row[1], 0, 100 * largest(h["energy error"]));
 
-    row = row_of(verification, "**Frames.**", "drift of angular momentum a revolution");
+    row = row_of(dynamics_page, "**Frames.**", "drift of angular momentum a revolution");
     // Round-off differs between processors: only its size is stated.
     const std::string revolution = "Dynamics/end time=0.3141592653589793 ms";
     auto              polar      = run_case(file, {revolution}, world)["angular momentum z"];
@@ -174,14 +177,14 @@ namespace
 
   void bars_and_beams(Communicator &world)
   {
-    auto row = row_of(verification, "## Orders, elements and ranks", "rotating bar, u(L)");
+    auto row = row_of(element_page, "## Orders of the explicit", "rotating bar, u(L)");
     auto h   = run_case("prm/verification/rotating_bar.prm", {"Model/Body bar/cells x=10"}, world);
     compare("10 cells, relative error",
             row[2],
             0,
             h["end displacement x"].back() / numbers_in(row[1]).at(0).value - 1);
 
-    row = row_of(verification, "**Elements and frames.**", "cantilever's ring-down, frequency");
+    row = row_of(element_page, "**Elements and frames.**", "cantilever's ring-down, frequency");
     h   = run_case("prm/verification/vibrating_cantilever.prm",
                  {"Model/Body beam/cells along length=20",
                     "Model/Body beam/cells over height=2",
@@ -197,7 +200,7 @@ namespace
             0,
             100 * (0.5 * (zeros.size() - 1) / (zeros.back() - zeros.front()) / 822.07 - 1));
 
-    row = row_of(verification, "**Energy ledger.**", "two bars, 25 to 200 cells");
+    row = row_of(dynamics_page, "**Energy balance.**", "two bars, 25 to 200 cells");
     h   = run_case("prm/verification/two_bars.prm",
                  {"Model/Body flying/cells x=25", "Model/Body resting/cells x=25"},
                  world);
@@ -206,7 +209,7 @@ namespace
                 100 * largest(h["energy error"]),
                 10 * numbers_in(row[1]).at(0).value);
 
-    row = row_of(verification, "**A mesh in no order**", "the same mesh by linear conventional");
+    row = row_of(element_page, "**Unstructured mesh**", "the same mesh by linear conventional");
     do_case("prm/verification/curved_beam.prm", {"Study/kind=linear static"}, world);
     compare("displacement [mm]",
             row[1],
@@ -216,7 +219,7 @@ namespace
 
   void loaded_pair(Communicator &world)
   {
-    auto row = row_of(verification, "## Static contact by", "transmission error, no web");
+    auto row = row_of(pair_page, "## Conventional finite elements", "transmission error, no web");
     compare("conventional [arcsec]",
             row[2],
             0,
@@ -229,7 +232,7 @@ namespace
                          "loaded_contact.csv")["transmission error"]
               .front());
 
-    row = row_of(verification, "| quick pair with web |", "the same, 6,344 elements");
+    row = row_of(pair_page, "| quick pair with web |", "the same, 6,344 elements");
     // The coarsest web with one row more; what coupled modes need besides.
     std::string rows = coarse_web;
     rows.replace(rows.find("web rows = 3"), 12, "web rows = 4");
@@ -290,7 +293,8 @@ namespace
     compare("tilt and shift of the rim [arcsec]", row[5], 0, part("rim tilt and shift"));
     compare("centrifugal [arcsec]", row[6], 0, part("centrifugal shift"));
 
-    // A line search by the potential alone finds no end there (doc/fem.md, Static with contact).
+    // A line search by the potential alone finds no end there (doc/theory/fem.md, Static with
+    // contact).
     start("none");
     row = row_of(paper, "## Where the transmission error", "none |");
     compare("teeth, rim bending and rest [arcsec]",

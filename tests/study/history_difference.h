@@ -14,11 +14,11 @@
 
 /**
  * The rule by which histories of one run, made on other numbers of ranks or in parts, are the same
- * (doc/conventions.md). Every column may differ by the larger of
+ * (doc/reference/conventions.md). Every column may differ by the larger of
  *   - 1e-8 of its own largest value: what a reader of that column sees;
  *   - 200 units in the last place of the numbers of which its quantity is the sum or the
  *     difference in this run: what is zero but for round-off has no size of its own. Some 10^2 to
- *     10^3 steps collect some 10 to 30 such units at random (doc/verification.md, Ranks).
+ *     10^3 steps collect some 10 to 30 such units at random (doc/verification/dynamics.md, Ranks).
  * No column is left out, and a quantity of an unknown unit is a failure.
  */
 namespace histories

@@ -16,7 +16,8 @@ using namespace vfife;
 
 namespace
 {
-  /** Lag of the gear over pitches [arcsec]: doc/gear.md, by another program, within 0.01. */
+  /** Lag of the gear over pitches [arcsec]: doc/verification/geometry.md, by another program,
+   * within 0.01. */
   double reference_lag(const double p)
   {
     return p * p * (7.199 + .757 * p - .008 * p * p);
@@ -181,9 +182,9 @@ int main(int argc, char **argv)
   std::ifstream        file("tca_results/tca.json");
   const nlohmann::json json  = nlohmann::json::parse(file);
   const nlohmann::json drive = json.at("drive");
-  // Reference: doc/gear.md. Its path is sampled in steps of 0.02 pitches and ends inside the true
-  // one; its place of the hand-over is rounded to 5e-4 pitches, over which the lag changes
-  // by 3.5e-3.
+  // Reference: doc/verification/geometry.md. Its path is sampled in steps of 0.02 pitches and ends
+  // inside the true one; its place of the hand-over is rounded to 5e-4 pitches, over which the lag
+  // changes by 3.5e-3.
   check_close("contact ratio", value(drive.at("path"), "contact ratio"), 1.97, 0.01);
   check_close("hand-over [pitches]", value(drive.at("hand-over"), "place"), 0.487, 5e-4);
   check_close("lag at the hand-over [arcsec]", value(drive.at("hand-over"), "lag"), 1.795, 4e-3);

@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// The cases of prm/verification on coarse meshes against closed forms; doc/verification.md has the
-// fine ones.
+// The cases of prm/verification on coarse meshes against closed forms; doc/verification/element.md
+// has the fine ones.
 #include "../refusal.h"
 #include "../tests.h"
 #include "quick_pair.h"
@@ -58,7 +58,8 @@ namespace
                 largest_of(largest(h["momentum x"]), largest(h["momentum y"])) /
                   (6.28e-6 * 20000 * 10),
                 1e-12);
-    // A fifth of the largest stable step; doc/verification.md shows how the error falls with it.
+    // A fifth of the largest stable step; doc/verification/element.md shows how the error falls
+    // with it.
     check_below("free spin: energy error", largest(h["energy error"]), 0.005);
 
     // The published frame is not free of moments, to the order of the strain (1e-3).

@@ -13,8 +13,8 @@ namespace vfife
 {
   /**
    * All bearings of a model: each by its law against the ground, or all in one housing that gives
-   * way (doc/bearing.md, Housing). The housing has no mass: it is where the energy of bearings and
-   * housing together is least, so that loads are the slopes of that energy.
+   * way (doc/theory/bearing.md, Housing). The housing has no mass: it is where the energy of
+   * bearings and housing together is least, so that loads are the slopes of that energy.
    */
   class BearingSystem
   {

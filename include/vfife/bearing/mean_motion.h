@@ -17,7 +17,7 @@ namespace vfife
    *
    * A force F and a moment M of this motion are f_i = A_i (F + (J^-1 M) x (R r_i)): they sum to F
    * and M, and their power is F . dc + M . w, so that the deformation of the set within itself
-   * gains nothing (doc/model.md, doc/bearing.md).
+   * gains nothing (doc/theory/model.md, doc/theory/bearing.md).
    */
   class MeanMotion
   {

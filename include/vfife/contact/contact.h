@@ -19,7 +19,7 @@ namespace vfife
 
   /**
    * Contact between two surfaces by unilateral penalty; the formulation is derived in
-   * doc/contact.md.
+   * doc/theory/contact.md.
    *
    * Quadrature points x_s of the slave's facets are projected onto the master along its continuous
    * normal field, x_s = y(xi, eta) + lambda n(xi, eta), and pressed with p(-g) of the contact law

@@ -11,10 +11,10 @@ namespace vfife
 {
   /**
    * Mean pressures of touching points over a step of central differences, from t_n - dt/2 to
-   * t_n + dt/2 (doc/contact.md, In time). The pressure of a point is the difference of the law's
-   * energy between the gaps at both ends over the difference of these gaps, and the gap at the end
-   * is what all pressures make of it: the contact's energy is kept whatever the penalty and the
-   * step. Solved by sweeps over the points, each with Newton's step of its own law.
+   * t_n + dt/2 (doc/theory/contact.md, In time). The pressure of a point is the difference of the
+   * law's energy between the gaps at both ends over the difference of these gaps, and the gap at
+   * the end is what all pressures make of it: the contact's energy is kept whatever the penalty and
+   * the step. Solved by sweeps over the points, each with Newton's step of its own law.
    */
   class PressureSolver
   {

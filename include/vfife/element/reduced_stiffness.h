@@ -8,7 +8,7 @@
 namespace vfife
 {
   /**
-   * The exact short form of the stiffness of an 8-node hexahedron (doc/element.md):
+   * The exact short form of the stiffness of an 8-node hexahedron (doc/theory/element.md):
    * K = V B^T D B + G^T H G, B the strain of the volume-averaged gradients b, G u the four
    * hourglass amplitudes q_k = sum_a gamma_k(a) u_a with the patterns
    * gamma_k = h_k - sum_j c_kj b_j, c_kj = sum_a h_k(a) X_j(a), and h_k(a) = hourglass_sign(k, a).

@@ -52,9 +52,9 @@ namespace vfife
   };
 
   /**
-   * Equations of motion of a LumpedPair (doc/lumped.md). Coordinates q: rotation of the gear on top
-   * of the kinematic one, + in the drive direction; the same of the pinion where it is free; the
-   * motions of the supports. Mesh positions are those of the nominal speed.
+   * Equations of motion of a LumpedPair (doc/theory/lumped.md). Coordinates q: rotation of the gear
+   * on top of the kinematic one, + in the drive direction; the same of the pinion where it is free;
+   * the motions of the supports. Mesh positions are those of the nominal speed.
    */
   class LumpedModel
   {

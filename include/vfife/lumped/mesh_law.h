@@ -22,7 +22,7 @@ namespace vfife
    * The elastic torque of a tooth mesh on the gear [N mm] over the compression s [rad of the gear]
    * and the position x [tooth meshes]:
    *   M = k(x) s (k(x) s/T0)^(p(x) - 1),  s > 0;   0,  -b < s < 0;   -M(-(s + b)),  s < -b
-   * with the secant stiffness k at the torque T0 and the backlash b (doc/lumped.md).
+   * with the secant stiffness k at the torque T0 and the backlash b (doc/theory/lumped.md).
    */
   struct MeshLaw
   {

@@ -38,7 +38,7 @@ namespace vfife
      * drives and loads them, less what only passes through; or by their motion as a whole; the
      * largest of them [mJ]. */
     double exchanged_since(const EnergyLedger &first) const;
-    /** Residual over the scale; doc/conventions.md, Steady part and figures. */
+    /** Residual over the scale; doc/reference/conventions.md, Steady part and figures. */
     double error() const;
   };
 } // namespace vfife

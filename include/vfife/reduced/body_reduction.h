@@ -20,10 +20,10 @@ namespace vfife
 
   /**
    * Modes and residual flexibility of a cyclic body of @p model about its state of steady spin at
-   * @p rate [rad/s], from one sector (doc/reduced.md). @p touch_nodes: of sector 0, that forces act
-   * on. Ranks share the harmonics. Throws InputError for bodies that CyclicBody refuses, for nodes
-   * that there are not, and where the mesh has too few unknowns for the cut-off; NumericalError
-   * where the body is not stable. Collective, equal on all ranks.
+   * @p rate [rad/s], from one sector (doc/theory/reduced.md). @p touch_nodes: of sector 0, that
+   * forces act on. Ranks share the harmonics. Throws InputError for bodies that CyclicBody refuses,
+   * for nodes that there are not, and where the mesh has too few unknowns for the cut-off;
+   * NumericalError where the body is not stable. Collective, equal on all ranks.
    */
   ReducedBody reduce_body(const Model                     &model,
                           unsigned int                     body,

@@ -13,7 +13,7 @@ namespace vfife
   struct Model;
 
   /** Nodes all around a body whose mean motion counts: its displacement and its turn are B u, six
-   * rows in axes of the body frame (doc/bearing.md, Mean motion of a ring). */
+   * rows in axes of the body frame (doc/theory/bearing.md, Mean motion of a ring). */
   struct MotionOfRing
   {
     std::string name;

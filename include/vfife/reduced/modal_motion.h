@@ -37,9 +37,9 @@ namespace vfife
 
   /**
    * Motion of the modes of a ReducedBody at one rate, and of its rigid turn where it has one, step
-   * by step: the exact solution for forces that are constant in each step (doc/reduced.md, Steps).
-   * The forces of a step are the mean of those at its two ends, which conserves energy whatever the
-   * step is.
+   * by step: the exact solution for forces that are constant in each step (doc/theory/reduced.md,
+   * Steps). The forces of a step are the mean of those at its two ends, which conserves energy
+   * whatever the step is.
    */
   class ModalMotion
   {

@@ -14,7 +14,7 @@ namespace vfife
 
   /**
    * A reduced body as other programs take it, in real coordinates x and axes that turn with it
-   * (doc/reduced.md, Export):
+   * (doc/reference/kinds.md, reduced):
    *   M x'' + 2 Omega G x' + (K + (Omega^2 - Omega_0^2) D) x = f
    * Of each mode with 0 < h < N/2 the real and the imaginary part are a coordinate, and the turn of
    * a body that turns freely is the last one.

@@ -37,8 +37,8 @@ namespace vfife
   /**
    * A body of N equal sectors as few numbers: its modes below a cut-off, by harmonics h, and the
    * static flexibility that is left without them, between the nodes of one sector that forces act
-   * on and its rows (doc/reduced.md). Small motions in axes that turn with the body, on top of its
-   * state of steady spin.
+   * on and its rows (doc/theory/reduced.md). Small motions in axes that turn with the body, on top
+   * of its state of steady spin.
    *
    * Sector k has the displacements u_k = Re(R^k z c exp(i h k alpha)) of a mode, R the turn by one
    * sector about compute_sector_axis(), z the shape and c the complex coordinate of the mode (real

@@ -29,7 +29,7 @@ namespace vfife
 
     /** Cut-off over the frequency at which a free ring at the gear's pitch circle breathes, at
      * least: of motions, whose eight orders of the mesh and more have to be right, and of studies
-     * of waves alone (doc/reduced.md, Cut-off). */
+     * of waves alone (doc/reference/kinds.md, reduced). */
     static constexpr double rings_of_motions = 7, rings_of_waves = 3;
 
     /** The cut-off of the entry, or six orders of the mesh frequency and at least @p least [Hz]. */

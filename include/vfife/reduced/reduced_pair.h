@@ -46,10 +46,10 @@ namespace vfife
   /**
    * A gear pair of reduced bodies in true contact: its steps are those of the modes, exact for
    * forces that are the mean of both ends, and at the end of each the contact is in balance with
-   * the flexibilities that act at once (doc/reduced.md, Steps). No step is too long for stability.
-   * The driver turns at its rate, the driven body carries the model's torque on it, both over time
-   * as the model has them. Bodies on shafts have the whole laws of their bearings, in balance like
-   * the contact (doc/reduced.md, On bearings).
+   * the flexibilities that act at once (doc/theory/reduced.md, Steps). No step is too long for
+   * stability. The driver turns at its rate, the driven body carries the model's torque on it, both
+   * over time as the model has them. Bodies on shafts have the whole laws of their bearings, in
+   * balance like the contact (doc/theory/reduced.md, On bearings).
    */
   class ReducedPair
   {

@@ -19,7 +19,7 @@ namespace vfife
    * which are the elements' own on the surface, at the facet's centre. There the derivatives of
    * bilinear displacements are as accurate as those of biquadratic ones, and along a side they are
    * what the length between the corners has changed by, whatever happens between them
-   * (doc/stress.md).
+   * (doc/theory/stress.md).
    */
   class FacetStrain
   {

@@ -23,8 +23,8 @@ namespace vfife
   void refuse_standing_springs(const Model &model, unsigned int body);
 
   /** Warns of each bearing of @p body in spin whose stiffness across the axis is not alike in all
-   * directions, which axes that turn replace by its mean (doc/bearing.md, In the conventional
-   * solver): both stiffnesses and the mean. */
+   * directions, which axes that turn replace by its mean (doc/theory/bearing.md, In the
+   * conventional solver): both stiffnesses and the mean. */
   void warn_of_averaged_bearings(const Model &model, unsigned int body, Log &log);
 
   /** Warns of dampers of bearings and couplings of @p body, which have no part in its natural

@@ -10,7 +10,7 @@ namespace vfife
   namespace
   {
     /** Of the work on a cluster, what each of several ranks that share it does (measured,
-     * doc/verification.md, Two ranks). */
+     * doc/developer/performance.md, Two ranks). */
     constexpr double repeated_share = 0.3;
 
     /** The heaviest clusters get ranks of their own in proportion, the others go one by one to

@@ -1,7 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 /**
  * The element loop on vectors of VFIFE_KERNEL_WIDTH lanes, included once by each file compiled for
- * an instruction set, which defines that and VFIFE_SIMD_NAMESPACE. Derivation: doc/element.md.
+ * an instruction set, which defines that and VFIFE_SIMD_NAMESPACE. Derivation:
+ * doc/theory/element.md.
  */
 #include "kernels_constants.h"
 #include "kernels_frames.h"

@@ -133,7 +133,7 @@ namespace vfife
       return sum;
     }
 
-    /** The equations of doc/fem.md in a basis of turning modes, M the unit matrix. */
+    /** The equations of doc/theory/fem.md in a basis of turning modes, M the unit matrix. */
     struct Reduced
     {
       Eigen::MatrixXd stiffness, skew;

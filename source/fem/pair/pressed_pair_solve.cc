@@ -196,8 +196,8 @@ namespace vfife
                                 PressedState          &now)
   {
     // A whole step that halves the residual is taken as it is: the contact's forces leave out terms
-    // of second order (doc/contact.md, Force along the facet), and next to the equilibrium the
-    // potential may gain more by these than it loses by the step.
+    // of second order (doc/theory/contact.md, Force along the facet), and next to the equilibrium
+    // the potential may gain more by these than it loses by the step.
     const double arm   = model_.transmission->arm;
     const double start = now.potential(load), residual = now.residual(load, arm);
     const double scale = 0.5 * std::abs(now.force.dot(now.deflection)) +

@@ -195,8 +195,8 @@ namespace vfife
 
     /**
      * The contact for which local synthesis makes a pinion flank: the middle of the gear's tooth,
-     * the cradle at rest (doc/gear.md, Proposed pairs). Settings of another origin do not touch
-     * there.
+     * the cradle at rest (doc/theory/gear.md, Proposed pairs). Settings of another origin do not
+     * touch there.
      */
     Seven synthesized_contact(const MachineSettings &settings,
                               const GearPairOptions &options,

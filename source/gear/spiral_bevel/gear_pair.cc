@@ -72,7 +72,7 @@ namespace vfife
 
     // 4. Backlash: at the rotation ratio the gear stands at rot2 + rot1 z1/z2 with each side's
     // contact; what these differ by, and the angle of the normal backlash, the pinion's lower flank
-    // is turned back by (DELTA of doc/gear.md).
+    // is turned back by (DELTA of doc/theory/gear.md).
     const MeanContact &drive = design.mean_contact[0], &coast = design.mean_contact[1];
     const double       ratio = static_cast<double>(blank1.teeth) / blank2.teeth;
     design.backlash_angle    = design.options.backlash / ((drive.arm + coast.arm) / 2);

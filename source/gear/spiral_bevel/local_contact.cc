@@ -47,7 +47,7 @@ namespace vfife
                                         normal.dot(W.cross(gear_axis.cross(position)))) +
                         gradient.dot(sliding);
     // Contact along the line gradient . x = 0; across it the envelope bends by |g|^2 / rate, and
-    // the line moves by rate / |g| (doc/gear.md, Proposed pairs).
+    // the line moves by rate / |g| (doc/theory/gear.md, Proposed pairs).
     across    = gradient.normalized();
     curvature = gradient.squaredNorm() / rate;
     speed     = rate / gradient.norm();

@@ -46,7 +46,7 @@ namespace vfife
       }
     };
 
-    /** Cones of both members: standard depth, clearance and duplex taper (doc/gear.md). */
+    /** Cones of both members: standard depth, clearance and duplex taper (doc/theory/gear.md). */
     void propose_blanks(const PairProposal &p, const double shaft_angle, Blank &pinion, Blank &gear)
     {
       // pitch cones

@@ -34,7 +34,8 @@ namespace vfife
                                          GearBodyOptions          &pinion,
                                          GearBodyOptions          &gear)
   {
-    // Edges in modules (doc/mesh.md, Fineness, has what each of them leaves as error).
+    // Edges in modules (doc/verification/gear-pair.md, Penalty and mesh, has what each of them
+    // leaves as error).
     static const Choices<double> edges = {{"by members", 0.},
                                           {"coarse", 2. / 3.},
                                           {"medium", .45},

@@ -7,7 +7,7 @@
     print(result.summary["dte mean"])               # -78.4 arcsec
     time, dte = result.history["time"], result.history["dte"]
 
-Needs numpy; frames need pandas, fields meshio. doc/python.md explains it.
+Needs numpy; frames need pandas, fields meshio. doc/reference/python.md explains it.
 """
 from vfife_report.data.files import DamagedFile
 from vfife_report.data.table import Table

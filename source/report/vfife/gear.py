@@ -8,7 +8,7 @@
     print(tca.summary["drive side, peak to peak"])              # 8.1 arcsec
     error = tca.table("transmission")["transmission error"]     # numpy array
 
-Needs the compiled module _vfife, which is built where pybind11 is. doc/python.md explains it.
+Needs the compiled module _vfife, which is built where pybind11 is. doc/reference/python.md explains it.
 """
 import json
 import os
@@ -25,7 +25,7 @@ MEMBERS = ("pinion", "gear")
 
 @dataclass(frozen=True)
 class Flank:
-    """Points of a flank of tooth 0 in the body frame of its member (doc/gear.md): from toe to heel and from the start
+    """Points of a flank of tooth 0 in the body frame of its member (doc/theory/gear.md): from toe to heel and from the start
     of the flank to the tip. `L`, `h`: their places in the meridian plane [mm]; `points` [mm] and unit `normals` out of
     the metal, with a last axis x, y, z."""
     L: np.ndarray
@@ -49,7 +49,7 @@ class KeptTable:
 
 
 class Analysis:
-    """What a study has found. Tables and figures have the names of the program's files (doc/output.md)."""
+    """What a study has found. Tables and figures have the names of the program's files (doc/reference/files.md)."""
 
     def __init__(self, tables, texts, log):
         self.log = log

@@ -26,7 +26,7 @@ namespace vfife
       return sum / surface.facets.size();
     }
     /** Of the approach over the square of the facets' width over the contact's half-width, and over
-     * that ratio (doc/contact.md, General models). */
+     * that ratio (doc/theory/contact.md, General models). */
     constexpr double flat_error = .32, patch_error = .1;
     /** Of the approach over that ratio: of the springs alone. */
     constexpr double spring_error = .1;

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// The part of GearCase that finds what a user will not expect; doc/study.md lists the checks.
+// The part of GearCase that finds what a user will not expect; doc/reference/kinds.md lists the
+// checks.
 #include <vfife/base/errors.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/figure_text.h>

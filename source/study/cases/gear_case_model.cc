@@ -24,7 +24,8 @@ namespace vfife
     }
 
     /** First penalty times module over the contact modulus E*. At 1000 MPa the springs of the
-     * reference pair give way by 1 um, some 2 arcsec of its lag (doc/contact.md, Penalty). */
+     * reference pair give way by 1 um, some 2 arcsec of its lag (doc/theory/contact.md, Penalty).
+     */
     constexpr double penalty_over_stiffness = 30.;
 
     /** Body frame placed in the fixed frame with its axis of rotation. */

@@ -165,7 +165,7 @@ namespace vfife
   void GearCase::check_dampers(const DynamicsOptions &dynamics) const
   {
     // Compliance of the reference pair, measured once over damping/ring_rate(): -0.2 % at 0.025,
-    // -12 % at 0.25, -28 % at 0.5 (doc/dynamics.md, Mesh damping).
+    // -12 % at 0.25, -28 % at 0.5 (doc/theory/dynamics.md, Mesh damping).
     const double unit       = recommended_damping * ring_rate();
     const bool   too_strong = dynamics.mass_damping() > 10 * unit;
     if (!too_strong && !(dynamics.mesh_damping > 100 * unit))

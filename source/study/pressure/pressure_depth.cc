@@ -10,8 +10,8 @@ namespace vfife
 {
   double choose_pressure_depth(const double given, const Model &model, const HertzContact &hertz)
   {
-    // doc/contact.md, Pressure on its own grid: below three half widths the mesh does not see what
-    // is left.
+    // doc/theory/pressure-grid.md: below three half widths the mesh does not
+    // see what is left.
     const double force = std::abs(load_torque(model)) / model.transmission->arm;
     return given > 0 ? given : 3. * hertz.semi_axes(force)[1];
   }

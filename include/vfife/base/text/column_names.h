@@ -8,7 +8,8 @@
 /**
  * Names of columns of result files that more than one place spells: writers, and those who read
  * results again. One name means the same in all tables. Which table has which columns, in which
- * units, is in doc/columns.json, which a test compares with what is written (doc/output.md).
+ * units, is in doc/columns.json, which a test compares with what is written
+ * (doc/reference/files.md).
  */
 namespace vfife
 {

@@ -19,7 +19,7 @@ namespace vfife
   /**
    * A layer of the thickness d whose other side is held. A force F normal to its surface moves the
    * surface at the distance r by (1 - nu^2)/(pi E) F (1/r + correction(r, d)); the first part alone
-   * is that of a half-space (doc/contact.md, Pressure).
+   * is that of a half-space (doc/theory/pressure-grid.md).
    */
   class BondedLayer
   {

@@ -83,7 +83,7 @@ namespace vfife
 
   /** Points per direction of facets of width @p facet such that four lie across a contact of width
    * @p contact [mm], 3 to 12: pressure, force and its ripple then hardly depend on their number
-   * (doc/contact.md, Points). */
+   * (doc/theory/contact.md, Points). */
   unsigned int points_across(double facet, double contact);
 } // namespace vfife
 

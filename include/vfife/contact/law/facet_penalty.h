@@ -7,7 +7,7 @@
 namespace vfife
 {
   /** The penalty of contacts of general models is this times E* over h, E* the modulus of what
-   * gives way and h the width of the facet that is pressed (doc/contact.md, Penalty). */
+   * gives way and h the width of the facet that is pressed (doc/theory/contact.md, Penalty). */
   constexpr double facet_penalty_over_stiffness = 5.;
 
   /** eps [N/mm^3] of a facet of the @p width [mm] where E* is @p modulus [MPa]. */

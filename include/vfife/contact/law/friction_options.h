@@ -16,7 +16,7 @@ namespace vfife
      * point's stiffness in any direction is at most the normal one. */
     double stiffness_ratio = 1.;
     /** Of the critical gap-rate damping of a surface node, where friction acts [-]: Coulomb's
-     * friction excites the vibrations of elastic bodies (doc/contact.md). */
+     * friction excites the vibrations of elastic bodies (doc/theory/contact.md). */
     double damping_ratio = 0.;
 
     bool acts() const

@@ -50,7 +50,7 @@ namespace vfife
     double value_for_step(double mass_per_area, double dt) const;
 
     /** Penalty [N/mm^3] beyond which an impact leaves implicit contact rattling at the step
-     * @p dt [s] (doc/contact.md, In time). */
+     * @p dt [s] (doc/theory/contact.md, In time). */
     static double rattling_value(double mass_per_area, double dt);
 
     /** The mass per area [t/mm^2] for which a penalty is the fraction of what the step bears. */

@@ -28,7 +28,7 @@ namespace vfife
    * Each point is a spring of the stiffness eps A_p, so eps times this is the contact stiffness at
    * the node. On the average over all places inside it is the node's own tributary area; where the
    * points lie farther apart than the nodes, a single one brings its whole area to the node that it
-   * happens to lie on. Derived in doc/contact.md, Both sides of a spring.
+   * happens to lie on. Derived in doc/theory/contact.md, Both sides of a spring.
    */
   class CarriedArea
   {

@@ -13,7 +13,7 @@ namespace vfife
   /**
    * Displacements u = x - X that coordinates x have too few digits for, and the internal forces
    * under them. With s u, s a power of two that makes them large enough, f is known to the third
-   * order of u (doc/dynamics.md, Small displacements):
+   * order of u (doc/theory/equilibrium.md, Relaxation):
    *   f(X + u) = (f(X + s u) - f(X - s u))/(2 s) + (f(X + s u) + f(X - s u))/(2 s^2) + O(s^2 u^3).
    */
   class SmallDisplacements

@@ -12,7 +12,7 @@ namespace vfife
 {
   /**
    * The motion of turning bodies whose deformation stands still in space, as that of a gear under a
-   * tooth load which does not turn with it (doc/dynamics.md, Standing pattern).
+   * tooth load which does not turn with it (doc/theory/equilibrium.md, Standing pattern).
    *
    * A body of n equal sectors takes the same shape again whenever it has turned by one of them, up
    * to which teeth touch. So the change of displacement along the circumference, between one

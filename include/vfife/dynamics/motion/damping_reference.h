@@ -14,7 +14,7 @@ namespace vfife
   /**
    * The rigid motion of a body that its damping is relative to: of all rigid motions that
    * constraints, springs, bearings and couplings allow or prescribe the one nearest to the body's
-   * own, in its kinetic energy (doc/dynamics.md, The motion that is not damped).
+   * own, in its kinetic energy (doc/theory/dynamics.md, The motion that is not damped).
    */
   class DampingReference
   {

@@ -14,7 +14,7 @@ namespace vfife
   struct Model;
 
   /** Adds up over a run what the dampers do to each body, and how its two rates differ
-   * (doc/dynamics.md, The rate of a body). */
+   * (doc/theory/dynamics.md, The rate of a body). */
   class DampingWatch
   {
   public:

@@ -32,9 +32,9 @@ namespace vfife
   };
 
   /**
-   * Keeps the energy ledger of a run (doc/dynamics.md, Energy ledger): adds up work and losses step
-   * by step, takes the energies of each sample, knows the scale that the error is divided by, and
-   * tells an error that lasts and grows.
+   * Keeps the energy ledger of a run (doc/theory/dynamics.md, Energy ledger): adds up work and
+   * losses step by step, takes the energies of each sample, knows the scale that the error is
+   * divided by, and tells an error that lasts and grows.
    */
   class EnergyBook
   {

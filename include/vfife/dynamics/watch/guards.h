@@ -15,8 +15,8 @@ namespace vfife
   struct Model;
   struct State;
 
-  // What a run is given up for (doc/dynamics.md, Guards). All throw NumericalError with time and
-  // step, on all ranks alike: they are collective. EnergyBook::check() is the fourth guard.
+  // What a run is given up for (doc/theory/dynamics.md, Guards). All throw NumericalError with time
+  // and step, on all ranks alike: they are collective. EnergyBook::check() is the fourth guard.
 
   /** Time and step in words. */
   std::string describe_instant(const State &state);

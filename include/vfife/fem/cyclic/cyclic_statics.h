@@ -16,7 +16,7 @@ namespace vfife
   /**
    * What a body of equal sectors does under any forces about its state of spin, in axes that turn
    * with it: one sector is condensed onto its borders, and the borders of all are solved for
-   * harmonic by harmonic (doc/fem.md, Static by sectors). The answers are those of the whole
+   * harmonic by harmonic (doc/theory/fem.md, Static by sectors). The answers are those of the whole
    * body's stiffness matrix, a hub that turns freely being pinned as HubRotation::pinned says.
    * Ranks share the harmonics; all functions but column() are collective, and results are equal on
    * all ranks.

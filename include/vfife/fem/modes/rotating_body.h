@@ -37,8 +37,8 @@ namespace vfife
       return kinetic_share < 0;
     }
 
-    /** Of the damping of runs (doc/dynamics.md, Damping ratio), to the first order of zeta [1/s];
-     * not a number for a rigid motion [-]. */
+    /** Of the damping of runs (doc/theory/dynamics.md, Damping ratio), to the first order of zeta
+     * [1/s]; not a number for a rigid motion [-]. */
     double damping_ratio(double zeta) const;
   };
 
@@ -57,9 +57,9 @@ namespace vfife
 
   /**
    * Vibrations of one body of a model about its state of steady spin: geometric stiffness of the
-   * centrifugal stresses, spin softening and, when asked for, Coriolis forces (doc/fem.md). Either
-   * the whole body, or one of its sectors harmonic by harmonic, which gives the same numbers for a
-   * fraction of the work. Collective.
+   * centrifugal stresses, spin softening and, when asked for, Coriolis forces (doc/theory/fem.md).
+   * Either the whole body, or one of its sectors harmonic by harmonic, which gives the same numbers
+   * for a fraction of the work. Collective.
    */
   class RotatingBody
   {

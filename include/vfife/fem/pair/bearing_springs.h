@@ -14,8 +14,8 @@ namespace vfife
 
   /**
    * What the bearings of a pair's bodies do beyond the linear springs K0 that the bodies' answers
-   * have for them (doc/fem.md, On bearings): springs on the motion d = B u of their rings in axes
-   * that turn with the body, with the energy
+   * have for them (doc/theory/fem.md, Pair in bearings): springs on the motion d = B u of their
+   * rings in axes that turn with the body, with the energy
    *
    *   E(q) - (d - d0) . K0 (d - d0)/2 + w0 . d,     q = P R d
    *
@@ -26,7 +26,7 @@ namespace vfife
    * Turns are counted as ways at an arm and moments as forces there: all entries in mm and N.
    *
    * In a step of motion dampers add -C (q - q_0)/h, q_0 at the step's begin and h its length: the
-   * mean force of the step, which loses what it does (doc/reduced.md, On bearings).
+   * mean force of the step, which loses what it does (doc/theory/reduced.md, On bearings).
    */
   class BearingSprings
   {

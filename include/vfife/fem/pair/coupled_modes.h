@@ -37,9 +37,9 @@ namespace vfife
    * Small vibrations of the assembled pair about a loaded position: both bodies of the compliance's
    * discretization in their state of spin, joined by the springs of the contact; the driver's hub
    * turns as prescribed or is held by its coupling, the driven hub turns freely; bearings have
-   * the tangent @p bearings (PairEquilibriumResult::bearing_tangent; doc/fem.md, Coupled modes).
-   * The @p n lowest; always by shift-invert. Throws NumericalError where the eigenvalue solver
-   * fails or a motion grows. Collective.
+   * the tangent @p bearings (PairEquilibriumResult::bearing_tangent; doc/theory/fem.md, Coupled
+   * modes). The @p n lowest; always by shift-invert. Throws NumericalError where the eigenvalue
+   * solver fails or a motion grows. Collective.
    */
   CoupledModes find_coupled_modes(const Compliance              &compliance,
                                   const FemOptions              &options,

@@ -46,9 +46,9 @@ namespace vfife
    * carries the model's torques: the elastic bodies are reduced to the compliance of the nodes that
    * may touch and of the rings in bearings, the penalty contact of the explicit solver acts on the
    * moved flanks, bearings have their whole law, and the rotation of the driven body is the last
-   * unknown (doc/fem.md). Newton's method on the springs of the contact points and of the bearings
-   * with a line search on the potential energy; every position is found from the undeformed bodies.
-   * Only the first contact pair is looked at for the first touch.
+   * unknown (doc/theory/fem.md). Newton's method on the springs of the contact points and of the
+   * bearings with a line search on the potential energy; every position is found from the
+   * undeformed bodies. Only the first contact pair is looked at for the first touch.
    */
   class PairEquilibrium
   {

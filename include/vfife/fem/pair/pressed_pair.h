@@ -68,7 +68,7 @@ namespace vfife
 
   /**
    * The contact of a gear pair between elastic bodies whose answers to forces are known, with the
-   * rotation of the driven body as the last unknown (doc/fem.md, Static with contact): the
+   * rotation of the driven body as the last unknown (doc/theory/fem.md, Static with contact): the
    * penalty contact of the explicit solver acts on the moved flanks, without friction and damping.
    * Newton's method on the springs of the contact points with a line search on the potential
    * energy. Rows of nodes are along axes of their own.

@@ -36,9 +36,9 @@ namespace vfife
   /**
    * Pressures of contacts that carry a load together, on grids of their own with about @p
    * cells_across the width of each: the finite elements' flexibility, less that of what lies near
-   * the surfaces, and in its place that of a held layer in closed form (doc/contact.md, Pressure on
-   * its own grid). Frictionless. The layer in closed form goes on beyond edges, as near layers
-   * must. Throws NumericalError where the pressures are not found.
+   * the surfaces, and in its place that of a held layer in closed form
+   * (doc/theory/pressure-grid.md). Frictionless. The layer in closed form goes on beyond edges, as
+   * near layers must. Throws NumericalError where the pressures are not found.
    */
   std::vector<GridPressure> find_grid_pressures(const std::vector<ElasticContact> &contacts,
                                                 const ContactLoad                 &load,

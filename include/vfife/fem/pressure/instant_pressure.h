@@ -24,8 +24,8 @@ namespace vfife
   /**
    * Pressures of teeth of a moving gear pair that neither its mesh nor its penalty makes. The force
    * of each tooth pair is that of the motion: only what of it lies where is found anew, with the
-   * other teeth as they are (doc/contact.md, At instants of a run). The flexibility of the teeth is
-   * that of tooth 0 of each member in the state of spin at time zero.
+   * other teeth as they are (doc/theory/pressure-grid.md, At instants of a run). The flexibility of
+   * the teeth is that of tooth 0 of each member in the state of spin at time zero.
    */
   class InstantPressure
   {

@@ -12,7 +12,7 @@ namespace vfife
   /**
    * What lies near a patch of a body's surface, as the body's finite elements have it: the layers
    * of elements under the patch, held where they join what lies deeper; beyond edges of the body
-   * they go on, as the layer in closed form does (doc/contact.md, Pressure on its own grid).
+   * they go on, as the layer in closed form does (doc/theory/pressure-grid.md).
    */
   struct NearLayer
   {

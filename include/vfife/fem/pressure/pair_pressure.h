@@ -21,8 +21,8 @@ namespace vfife
   /**
    * Pressures of a gear pair in equilibrium that neither its mesh nor its penalty makes: the teeth
    * share the torque anew, with the flexibility of the finite elements away from the flanks and
-   * that of elastic layers near them (doc/contact.md, Pressure on its own grid). Bearings keep
-   * their linear stiffness.
+   * that of elastic layers near them (doc/theory/pressure-grid.md). Bearings
+   * keep their linear stiffness.
    */
   class PairPressure
   {

@@ -20,9 +20,10 @@ namespace vfife
 
   /**
    * Penalties of contact points with which tooth pairs approach each other as on the contact's own
-   * grid (doc/contact.md, Penalty). The elements near the flanks are too stiff, since they do not
-   * resolve the contact; the springs of the penalty supply the missing compliance. It depends on
-   * where the contact lies between the nodes of both flanks, so each point has its own value.
+   * grid (doc/theory/contact.md, Penalty). The elements near the flanks are too stiff, since they
+   * do not resolve the contact; the springs of the penalty supply the missing compliance. It
+   * depends on where the contact lies between the nodes of both flanks, so each point has its own
+   * value.
    */
   class PenaltyCalibration
   {

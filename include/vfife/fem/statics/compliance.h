@@ -28,7 +28,7 @@ namespace vfife
    * turns where bodies turn (BearingRings::stiffness()).
    *
    * In spin the matrix is the tangent K(u0) - Omega^2 S (+ curvature of the hub) at the state of
-   * spin u0 (doc/fem.md). All functions are collective; results are equal on all ranks.
+   * spin u0 (doc/theory/fem.md). All functions are collective; results are equal on all ranks.
    */
   class Compliance
   {

@@ -10,10 +10,10 @@ namespace vfife
 {
   /**
    * What the stiffness K(u_s) - Omega^2 S of a spinning body lacks for rigid motions that stand in
-   * space (doc/fem.md, Pair in bearings). A shaft that is shifted or tilted spins on about its
-   * displaced axis, at no force; in turning axes that do not see the motion turn back, such motions
-   * r have the forces w = (K(u_s) - Omega^2 S) r, bearings left out. With rows Phi of a mean
-   * motion, Phi r = 1, the springs
+   * space (doc/theory/fem.md, Pair in bearings). A shaft that is shifted or tilted spins on about
+   * its displaced axis, at no force; in turning axes that do not see the motion turn back, such
+   * motions r have the forces w = (K(u_s) - Omega^2 S) r, bearings left out. With rows Phi of a
+   * mean motion, Phi r = 1, the springs
    *
    *   C = Phi^T (r^T w) Phi - Phi^T w^T - w Phi
    *

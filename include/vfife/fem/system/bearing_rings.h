@@ -49,7 +49,8 @@ namespace vfife
    *
    * On one sector of a body a ring has a part in the harmonics 0 (along the axis, about it) and 1
    * (across it): B is then scaled so that B^T K B is that of the sector, (B u) . K B u the energy
-   * of the whole ring over what an energy of the sector stands for (doc/bearing.md, One sector).
+   * of the whole ring over what an energy of the sector stands for (doc/theory/bearing.md, One
+   * sector).
    */
   class BearingRings
   {

@@ -9,7 +9,7 @@ namespace vfife
 {
   /**
    * The matrices of small motions u in axes that turn with the body at the rate Omega about its
-   * axis (doc/fem.md), on the unknowns of an assembly, about the state of spin u0:
+   * axis (doc/theory/fem.md), on the unknowns of an assembly, about the state of spin u0:
    * M u'' + 2 Omega G u' + (K(u0) + C - Omega^2 S) u = f, K the tangent stiffness, C the hub's
    * curvature. All functions are collective; fields are displacements of all points, first copy.
    */

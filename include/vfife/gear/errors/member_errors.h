@@ -11,8 +11,8 @@
 namespace vfife
 {
   /**
-   * Errors of manufacture of the teeth of one member (doc/errors.md): how far the flanks lie out
-   * of the metal from the generated ones. Points and shifts are those of a tooth that is turned
+   * Errors of manufacture of the teeth of one member (doc/theory/errors.md): how far the flanks lie
+   * out of the metal from the generated ones. Points and shifts are those of a tooth that is turned
    * onto tooth 0, in the body frame. All deviations are small against the radii of curvature, and
    * add up along the normal.
    */

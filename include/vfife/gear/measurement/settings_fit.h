@@ -42,9 +42,9 @@ namespace vfife
 
   /**
    * Finds settings of a member's flank with which it goes through measured points, in the sense of
-   * least squares of their distances along the normals (doc/errors.md). Of settings whose changes
-   * the points cannot tell apart the ones nearest to the given settings are found, measured in
-   * their scales.
+   * least squares of their distances along the normals (doc/theory/errors.md). Of settings whose
+   * changes the points cannot tell apart the ones nearest to the given settings are found, measured
+   * in their scales.
    */
   class SettingsFit
   {

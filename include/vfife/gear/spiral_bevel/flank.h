@@ -31,8 +31,8 @@ namespace vfife
 
   /**
    * Tooth flank and fillet cut by one side of a face-milling cutter (method: Litvin & Fuentes, Gear
-   * Geometry and Applied Theory; derivation in doc/gear.md). Body frame: z from the apex to the
-   * back, apex at the origin.
+   * Geometry and Applied Theory; derivation in doc/theory/gear.md). Body frame: z from the apex to
+   * the back, apex at the origin.
    */
   class Flank
   {

@@ -42,7 +42,8 @@ namespace vfife
   };
 
   /**
-   * The equations that two mounted flanks satisfy where they touch (doc/gear.md, local conditions).
+   * The equations that two mounted flanks satisfy where they touch (doc/theory/gear.md, local
+   * conditions).
    */
   class FlankContact
   {

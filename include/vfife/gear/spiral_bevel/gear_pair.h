@@ -13,7 +13,7 @@ namespace vfife
    * A mounted spiral bevel pair. Fixed frame: common apex at the origin, gear axis (apex to back)
    * +z, pinion axis in the plane y = 0 at the shaft angle, +x for 90 deg; positive rotations of the
    * placements turn about + the own axis, so the pair runs with rot2' = -rot1' z1/z2. Derivations
-   * in doc/gear.md.
+   * in doc/theory/gear.md.
    */
   class GearPair
   {

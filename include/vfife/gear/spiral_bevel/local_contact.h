@@ -23,7 +23,7 @@ namespace vfife
 
   /**
    * A gear flank at a point that satisfies the equation of meshing, and the conjugate pinion flank
-   * there: line contact (doc/gear.md). Fixed frame; the pinion turns at rate 1.
+   * there: line contact (doc/theory/gear.md). Fixed frame; the pinion turns at rate 1.
    */
   struct LineContact
   {

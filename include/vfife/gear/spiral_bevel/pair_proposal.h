@@ -17,7 +17,7 @@ namespace vfife
   /**
    * Basic data from which blanks and machine settings are proposed: a spread-blade gear with duplex
    * taper, and pinion flanks by local synthesis (method: Litvin & Fuentes; derivation in
-   * doc/gear.md).
+   * doc/theory/gear.md).
    */
   struct PairProposal
   {

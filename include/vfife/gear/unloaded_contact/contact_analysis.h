@@ -62,8 +62,9 @@ namespace vfife
   };
 
   /**
-   * The unloaded contact of one side in figures (doc/gear.md). Lag: of the gear against the exact
-   * ratio, seen from the mean contact; the transmission error of the unloaded gear is minus it.
+   * The unloaded contact of one side in figures (doc/theory/gear.md). Lag: of the gear against the
+   * exact ratio, seen from the mean contact; the transmission error of the unloaded gear is minus
+   * it.
    */
   struct ContactAnalysis
   {

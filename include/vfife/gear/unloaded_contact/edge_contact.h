@@ -21,7 +21,8 @@ namespace vfife
   /**
    * Contact of tooth pair 0 beyond an end of its path: where the path leaves one flank over an edge
    * (tip, toe, heel) that edge stays in contact with the other flank. Points coincide and the
-   * normal of that flank is normal to the edge (doc/gear.md). Over a fillet there is no edge.
+   * normal of that flank is normal to the edge (doc/theory/gear.md). Over a fillet there is no
+   * edge.
    */
   class EdgeContact
   {

@@ -53,7 +53,8 @@ namespace vfife
   std::pair<unsigned int, unsigned int> teeth_of_pair(const GearPair &pair, MeshSide side, int k);
 
   /**
-   * Unloaded tooth contact analysis of one side of a pair (method: Litvin & Fuentes; doc/gear.md).
+   * Unloaded tooth contact analysis of one side of a pair (method: Litvin & Fuentes;
+   * doc/theory/gear.md).
    *
    * Tooth pair k: pinion tooth k with gear tooth -k (drive) or 1 - k (coast); pair 0 touches at
    * the mean contact, pair k one pinion pitch of rotation earlier than pair k - 1. Teeth are taken

@@ -15,7 +15,7 @@ namespace vfife
 
   /**
    * Writes bodies in a format of export_formats(); throws InputError for another. Units mm, N, MPa,
-   * t, s, as the files say where they can (doc/mesh.md).
+   * t, s, as the files say where they can (doc/reference/mesh-formats.md).
    */
   void write_meshes(std::ostream                    &out,
                     const std::string               &format,

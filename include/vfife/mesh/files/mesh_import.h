@@ -20,8 +20,8 @@ namespace vfife
    *   .vtk  VTK's legacy format, .ucd AVS: regions "region N", surfaces "boundary N" by their ids.
    * Names are node sets: of the node set, else of the surface, else of the region that has the
    * name. Surfaces are the faces that the file lists, with boundary ids 1, 2, ... in alphabetical
-   * order. doc/mesh.md states what each format may have, what is left out and what is refused.
-   * Throws InputError (one line with the file's name and line) when the file
+   * order. doc/reference/mesh-formats.md states what each format may have, what is left out and
+   * what is refused. Throws InputError (one line with the file's name and line) when the file
    * cannot be opened or read, has other volume elements than hexahedra, or hexahedra that are no
    * mesh: inverted, twice the same, more than two at a face.
    *

@@ -25,7 +25,7 @@ namespace vfife
 
   /**
    * Body under the teeth and number of cells. The defaults are those of the gear of the full mesh
-   * (doc/mesh.md); a pinion starts from pinion_body_defaults().
+   * (doc/theory/mesh.md); a pinion starts from pinion_body_defaults().
    */
   struct GearBodyOptions : WebShape
   {

@@ -34,7 +34,7 @@ namespace vfife
 
   /**
    * Integrals over the true body: all teeth between their true flanks and fillets, by sections
-   * of constant L, and the solids of revolution under them (doc/mesh.md). What a mesh
+   * of constant L, and the solids of revolution under them (doc/theory/mesh.md). What a mesh
    * converges to.
    */
   SolidIntegrals compute_true_integrals(const GearGeometry &gear, const GearBodyOptions &options);

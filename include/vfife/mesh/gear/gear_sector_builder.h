@@ -12,8 +12,8 @@
 namespace vfife
 {
   /**
-   * Builds a GearSector block by block: tooth, rim, web, hub, shaft (layout in doc/mesh.md). Member
-   * and options must outlive it.
+   * Builds a GearSector block by block: tooth, rim, web, hub, shaft (layout in doc/theory/mesh.md).
+   * Member and options must outlive it.
    */
   class GearSectorBuilder
   {

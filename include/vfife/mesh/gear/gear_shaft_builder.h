@@ -11,9 +11,9 @@
 namespace vfife
 {
   /**
-   * Adds the shaft of a body to its sector (doc/mesh.md, Shafts): a grid of rings about the axis,
-   * filled where a section lies, that shares the nodes of the bore. Options and cells must outlive
-   * it.
+   * Adds the shaft of a body to its sector (doc/theory/mesh.md, Shafts): a grid of rings about the
+   * axis, filled where a section lies, that shares the nodes of the bore. Options and cells must
+   * outlive it.
    */
   class GearShaftBuilder
   {

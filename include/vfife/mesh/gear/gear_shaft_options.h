@@ -16,7 +16,7 @@ namespace vfife
 {
   /**
    * A hollow shaft of one piece with a gear body: rings about its axis, one of which fills the bore
-   * (doc/mesh.md, Shafts). Places are those of the body's own frame, z from the apex.
+   * (doc/theory/mesh.md, Shafts). Places are those of the body's own frame, z from the apex.
    */
   struct GearShaftOptions
   {

@@ -15,7 +15,7 @@ namespace vfife
    * What all constraints of a model do together to one node: equations n_k . u = g_k for its small
    * displacement u. Directions are taken in the order of the constraints and made orthonormal
    * (modified Gram-Schmidt); one that depends on those before it, to parallel_angle, adds nothing
-   * and must agree with them (doc/model.md, Constraints).
+   * and must agree with them (doc/theory/model.md, Constraints).
    */
   class NodeConstraints
   {

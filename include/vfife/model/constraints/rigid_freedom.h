@@ -35,8 +35,8 @@ namespace vfife
 
   /**
    * Which rigid motions of a body its constraints, springs to the ground, bearings and couplings
-   * oppose and which they leave free (doc/dynamics.md, The motion that is not damped). Walls and
-   * contacts, which let go, oppose none.
+   * oppose and which they leave free (doc/theory/dynamics.md, The motion that is not damped). Walls
+   * and contacts, which let go, oppose none.
    */
   class RigidFreedom
   {

@@ -19,7 +19,7 @@ namespace vfife
   /**
    * How two members with crossing axes stand to each other, in the four numbers of gear engineers
    * (E, P, G, Sigma); the differences of two mountings are mounting errors with the signs of the
-   * section Gear pair/Mounting (doc/bearing.md, Misalignment).
+   * section Gear pair/Mounting (doc/theory/bearing.md, Misalignment).
    */
   struct Mounting
   {

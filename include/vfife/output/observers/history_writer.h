@@ -12,7 +12,7 @@ namespace vfife
   /**
    * history.csv: one line a sample, of what is measured of the whole model. Gear pairs have angles,
    * transmission errors, contact, energies; other models contact, energies, momenta and all probes
-   * (doc/output.md, Columns). A column is one line of the list in the source.
+   * (doc/reference/files.md, Columns). A column is one line of the list in the source.
    */
   class HistoryWriter : public SampledTable<Measurements>
   {

@@ -17,7 +17,7 @@ namespace vfife
 
   /**
    * probes.csv, long format: one line a sample and probe: displacement and stresses in the
-   * cylindrical axes of the body (doc/output.md, Columns).
+   * cylindrical axes of the body (doc/reference/files.md, Columns).
    */
   class ProbeWriter : public SampledTable<ProbeSample>
   {

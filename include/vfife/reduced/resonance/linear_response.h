@@ -14,9 +14,9 @@ namespace vfife
   class StaticPassage;
 
   /**
-   * Steady vibration of the driven body by linear theory (doc/waves.md): static curves of a slow
-   * tooth mesh at constant torque, and what the contact, a linear spring between the flanks, makes
-   * of it since turn and modes do not follow at the mesh frequency as they do at rest.
+   * Steady vibration of the driven body by linear theory (doc/theory/waves.md): static curves of a
+   * slow tooth mesh at constant torque, and what the contact, a linear spring between the flanks,
+   * makes of it since turn and modes do not follow at the mesh frequency as they do at rest.
    */
   class LinearResponse
   {

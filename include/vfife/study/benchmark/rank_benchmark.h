@@ -40,7 +40,8 @@ namespace vfife
 
   /**
    * For 1, 2, 4... ranks what the largest share of the model has to compute and to send in a step,
-   * from the partition itself, and the time of a step that follows (doc/dynamics.md, Many ranks).
+   * from the partition itself, and the time of a step that follows (doc/developer/performance.md,
+   * Many ranks).
    */
   Table
   reckon_ranks(const Model &model, const RankBenchmarkOptions &options, const CoreTimes &core);

@@ -18,7 +18,7 @@ namespace vfife
 
   /**
    * Tooth pairs that carry where their flanks do not touch without load: outside the path of
-   * contact it is an edge that meets the other flank (doc/contact.md, Edge contact). Hertz's
+   * contact it is an edge that meets the other flank (doc/theory/contact.md, Edge contact). Hertz's
    * pressure holds inside the flanks only.
    */
   class EdgesUnderLoad

@@ -74,7 +74,7 @@ namespace vfife
      * rates of a pair are large or small against it, whatever its size is. */
     double ring_rate() const;
 
-    /** Damping over ring_rate() up to which the compliance stays (doc/conventions.md, Damping). */
+    /** Damping over ring_rate() up to which the compliance stays (doc/how-to/choose-damping.md). */
     static constexpr double recommended_damping = 0.05;
 
     /** Torque on the driven member at time zero, given there or at the pinion [N mm], and its

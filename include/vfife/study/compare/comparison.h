@@ -36,7 +36,7 @@ namespace vfife
 
   using ComparisonRows = std::vector<ComparisonRow>;
 
-  /** comparison.json as doc/report.md, Comparison ledger, has it. */
+  /** comparison.json as doc/reference/report.md, Comparison ledger, has it. */
   Json comparison_json(const std::string              &title,
                        const ComparedCases            &cases,
                        const std::vector<std::string> &remarks,

@@ -9,8 +9,8 @@ namespace vfife
 {
   /**
    * Rows of general models: those of compare_statics(), and lines of the probes of a `run` against
-   * the frequencies of `modal`, as far as these are among the cases (doc/study.md, Kind compare).
-   * Throws InputError where results cannot be read.
+   * the frequencies of `modal`, as far as these are among the cases
+   * (doc/reference/sweep-and-compare.md). Throws InputError where results cannot be read.
    */
   ComparisonRows compare_models(const ComparedCases &cases, const ComparisonTolerances &tolerances);
 } // namespace vfife

@@ -10,7 +10,7 @@ namespace vfife
   /**
    * Rows of general models at rest or in steady spin: displacements and stresses of the probes of a
    * `static` or a `run` (its last third) against `linear static`, as far as these are among the
-   * cases (doc/study.md, Kind compare). Throws InputError where results cannot be read.
+   * cases (doc/reference/sweep-and-compare.md). Throws InputError where results cannot be read.
    */
   ComparisonRows compare_statics(const ComparedCases        &cases,
                                  const ComparisonTolerances &tolerances);

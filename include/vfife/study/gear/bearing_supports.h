@@ -12,7 +12,7 @@ namespace vfife
 
   /**
    * The members of a gear pair as rigid bodies in their bearings, as supports of the lumped model
-   * (doc/lumped.md, Bearings): the five natural motions of each member on the linear(ized)
+   * (doc/theory/lumped.md, Bearings): the five natural motions of each member on the linear(ized)
    * stiffnesses of its bearings, turns about its axis left out, scaled to a mass of 1 t. Dampers
    * give the damping ratio of each motion by itself. None for members with ideal bores. Throws
    * InputError where bearings leave a member free.

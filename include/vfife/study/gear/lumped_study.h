@@ -14,8 +14,9 @@ namespace vfife
   struct LumpedResponse;
 
   /**
-   * Study kind `lumped`: a gear pair of few degrees of freedom (doc/lumped.md), by values or with
-   * inertias and geometry of a section Gear pair; writes lumped.csv, resonance.csv, lumped.json.
+   * Study kind `lumped`: a gear pair of few degrees of freedom (doc/theory/lumped.md), by values or
+   * with inertias and geometry of a section Gear pair; writes lumped.csv, resonance.csv,
+   * lumped.json.
    */
   std::unique_ptr<StudyKind> make_lumped_study();
 

@@ -33,8 +33,8 @@ namespace vfife
 
   /**
    * Orders of the tooth mesh above half the cut-off of reduced bodies: there their vibrations are
-   * not those of the meshes (doc/reduced.md, Cut-off). What a transmission error has of them is
-   * said beside it.
+   * not those of the meshes (doc/reference/kinds.md, reduced). What a transmission error has of
+   * them is said beside it.
    */
   class NearCutoff
   {

@@ -9,7 +9,9 @@ namespace vfife
   class PairSpeedSweep;
   struct RunSummary;
 
-  /** Energy error of a speed above which it is told, as of a run (doc/verification.md) [-]. */
+  /** Energy error of a speed above which it is told, as of a run (doc/verification/dynamics.md)
+   * [-].
+   */
   constexpr double largest_energy_error = 0.005;
 
   /**

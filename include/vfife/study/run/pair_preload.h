@@ -52,12 +52,12 @@ namespace vfife
   void add_preload(const PairPreload &preload, bool on_shafts, RunSummary &summary);
 
   /**
-   * Start of a gear pair (doc/dynamics.md, The preloaded start): equilibrium in the turning frames,
-   * spun, then under a part of the torque, then under all of it, each telling a part of the
-   * transmission error. A run with `static preload` begins in the loaded one, with the deformation
-   * standing still in space; one with `steady swing` there as well, but where the steady vibration
-   * of the swing has it, unless the pair is on shafts; one with `ramp` where the flanks of the spun
-   * shapes just touch.
+   * Start of a gear pair (doc/theory/equilibrium.md, The preloaded start): equilibrium in the
+   * turning frames, spun, then under a part of the torque, then under all of it, each telling a
+   * part of the transmission error. A run with `static preload` begins in the loaded one, with the
+   * deformation standing still in space; one with `steady swing` there as well, but where the
+   * steady vibration of the swing has it, unless the pair is on shafts; one with `ramp` where the
+   * flanks of the spun shapes just touch.
    */
   class PreloadedPair : public RunStart
   {

@@ -16,8 +16,8 @@ namespace vfife
 
   /**
    * The probes of a gear pair that runs, each of which has a copy in every sector: the copies'
-   * stresses at one instant are what the probe goes through in a turn (doc/study.md, Which copy a
-   * probe is).
+   * stresses at one instant are what the probe goes through in a turn
+   * (doc/theory/transmission-error.md, Copy of a probe).
    */
   class PairProbes
   {

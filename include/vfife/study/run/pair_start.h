@@ -18,9 +18,10 @@ namespace vfife
   /**
    * Equilibrium of a gear pair in the frames that turn with its bodies, found in a few rounds: the
    * forces out of balance are those of the VFIFE operator and its contact, and what the bodies do
-   * under them is told by the factors of the conventional stiffness matrix (doc/dynamics.md, The
-   * preloaded start). The result is the operator's own equilibrium, up to the tolerance of the
-   * relaxation, which also does the rest where the rounds do not get there.
+   * under them is told by the factors of the conventional stiffness matrix
+   * (doc/theory/equilibrium.md, The preloaded start). The result is the operator's own equilibrium,
+   * up to the tolerance of the relaxation, which also does the rest where the rounds do not get
+   * there.
    */
   class PairStart
   {

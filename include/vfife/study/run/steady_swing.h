@@ -29,7 +29,7 @@ namespace vfife
 
   /**
    * Steady vibration of the swing at the first of the static transmission @p errors [rad], which
-   * are those at equal positions over one gear mesh (doc/dynamics.md, The preloaded start):
+   * are those at equal positions over one gear mesh (doc/theory/equilibrium.md, Steady swing):
    *   J x'' + J zeta_k x' + K (x - s) = 0
    * with s of the period of the gear mesh. @p mesh_damping: zeta_k [1/s]. Where the flanks would
    * lose or gain more than half of the load @p torque [N mm], the vibration is scaled to that half:

@@ -7,7 +7,7 @@ import numpy as np
 from .parameters import read_parameters
 from .table import Table
 
-LEAST_SHARE = 0.02  # of a mode in the static turn of the gear, as in comparisons (doc/study.md)
+LEAST_SHARE = 0.02  # of a mode in the static turn of the gear, as in comparisons (doc/reference/sweep-and-compare.md)
 
 
 @dataclass

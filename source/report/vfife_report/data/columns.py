@@ -1,5 +1,5 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-"""Columns of history.csv that more than one module looks at (doc/output.md)."""
+"""Columns of history.csv that more than one module looks at (doc/reference/files.md)."""
 
 TRANSMISSION_ERROR = "dte"
 RIM_TRANSMISSION_ERROR = "rim dte"

@@ -1,5 +1,5 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-"""Numerical errors of a sweep's quantities, and which variants they tell apart (doc/study.md)."""
+"""Numerical errors of a sweep's quantities, and which variants they tell apart (doc/reference/sweep-and-compare.md)."""
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,5 +1,5 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-"""The text files of a run's folder (doc/output.md)."""
+"""The text files of a run's folder (doc/reference/files.md)."""
 from pathlib import Path
 
 import numpy as np

@@ -7,7 +7,7 @@ from ..data.table import read_table
 from ..data.unused import sweeps_speeds
 from .pressures import find_allowed_pressure, find_largest_pressure
 
-LARGEST_ENERGY_ERROR = 0.5  # [%], doc/verification.md
+LARGEST_ENERGY_ERROR = 0.5  # [%], doc/verification/dynamics.md
 LARGEST_TORQUE_DIFFERENCE = 0.5  # [%]
 
 

@@ -1,5 +1,5 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-"""What an unloaded tooth contact analysis says in figures (tca.json, doc/gear.md): both sides beside each other, and
+"""What an unloaded tooth contact analysis says in figures (tca.json, doc/theory/gear.md): both sides beside each other, and
 what is left of the teeth."""
 from ..data.files import read_json
 from ..data.shapes import CONTACT_ANALYSIS

@@ -1,5 +1,5 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-"""The comparison ledger: rows of comparison.json (doc/report.md) and their table."""
+"""The comparison ledger: rows of comparison.json (doc/reference/report.md) and their table."""
 from ..data.files import DamagedFile, read_json
 from ..data.shapes import COMPARISON
 from ..data.table import write_persons

@@ -1,5 +1,5 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-"""How steady and how periodic a history is: tooth meshes laid over each other, trend. doc/report.md
+"""How steady and how periodic a history is: tooth meshes laid over each other, trend. doc/theory/steady-part.md
 defines every number."""
 from dataclasses import dataclass
 

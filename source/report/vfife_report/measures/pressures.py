@@ -1,6 +1,6 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """The contact pressure that a report states: Hertz's, of the largest force of a tooth pair, and what is allowed. Pressures of
-nodes, points and areas depend on the mesh (doc/contact.md, Pressures): they stay in the tables of the run."""
+nodes, points and areas depend on the mesh (doc/theory/contact.md, Pressures): they stay in the tables of the run."""
 import numpy as np
 
 ALLOWED = "Operation/allowed contact pressure"

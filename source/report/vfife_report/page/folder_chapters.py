@@ -107,7 +107,7 @@ def tell_unloaded_contact(run, plots):
                 "Transmission error without load of teeth with their errors, one after the other; all other figures are of the errors "
                 "that all teeth share.")
     yield Cells(SIDES_HEADER, list_sides(analysis), "Both sides of the teeth: contact without load, the gear's lag, and where edges "
-                "would carry (doc/gear.md, Tooth contact analysis). Approach: turn of the gear by bending until the edge carries; negative "
+                "would carry (doc/theory/gear.md, Unloaded tooth contact). Approach: turn of the gear by bending until the edge carries; negative "
                 "where it carries without load.", digits=EXACT)
     yield Cells(FORMS_HEADER, list_forms(analysis), "What is left of the teeth at toe, middle and heel. Root clearance: as designed; "
                 "the distance of tips from the other member's fillets has the mounting errors in it.")

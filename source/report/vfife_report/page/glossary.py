@@ -7,7 +7,7 @@ from .parts import Cells, Picture
 
 REPORT = Path(__file__).resolve().parents[2]
 # Beside the report where it is installed, else in the tree of the sources.
-PLACES = (REPORT / "glossary.md", REPORT.parents[1] / "doc/glossary.md")
+PLACES = (REPORT / "glossary.md", REPORT.parents[1] / "doc/reference/glossary.md")
 OWN_WORDS = "Words of vfife's own"
 
 
@@ -42,4 +42,4 @@ def add_words(page):
     text = "\n".join(list_texts(page))
     used = [[names, meaning] for names, meaning in read_glossary()
             if any(re.search(rf"\b{re.escape(name)}\b", text, re.I) for name in names.split(", "))]
-    page.section("Words", [Cells(["word", "is"], used, "Of the glossary, doc/glossary.md, which has those of the field as well.")])
+    page.section("Words", [Cells(["word", "is"], used, "Of the glossary, doc/reference/glossary.md, which has those of the field as well.")])

@@ -48,8 +48,8 @@ def tell_quantities(run, plots):
     if run.is_ripple_steady() is False:
         yield Paragraph("The ripple is not steady: its figures are those of this record, and half of it gives others.", "alarm")
     yield Cells(["quantity", "value", "unit"] + ["remark"] * marked, [row if marked else row[:-1] for row in rows],
-                "Definitions in doc/report.md." if run.history is None or run.is_equilibrium() else
-                f"{describe_part(run)} values of the whole run; definitions in doc/report.md.")
+                "Definitions in doc/reference/report.md." if run.history is None or run.is_equilibrium() else
+                f"{describe_part(run)} values of the whole run; definitions in doc/reference/report.md.")
     yield Cells(["constraint", "force x [N]", "force y [N]", "force z [N]", "moment x [N mm]", "moment y [N mm]",
                  "moment z [N mm]"], list(list_reactions(run)), "Reactions: what constraints and bearings exert on the bodies.")
 

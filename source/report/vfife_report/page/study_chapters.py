@@ -168,7 +168,7 @@ def tell_quantities(study, plots):
         writer.writerow(header)
         writer.writerows([["" if cell is None else cell for cell in row] for row in rows])
     yield from tell_unsteady(study)
-    yield Cells(header, rows, "Definitions in doc/report.md. Data: key_figures.csv.", digits=EXACT)
+    yield Cells(header, rows, "Definitions in doc/reference/report.md. Data: key_figures.csv.", digits=EXACT)
 
 
 def tell_computations(study, plots):

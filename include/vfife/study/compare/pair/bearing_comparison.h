@@ -9,7 +9,7 @@ namespace vfife
   /**
    * Rows of a gear pair on shafts: what its bearings carry, how its members are misaligned and what
    * bearings and shafts make of the transmission error, in the run and in the loaded tooth contact
-   * analysis (doc/study.md, Kind compare). None where either has no bearings.
+   * analysis (doc/reference/sweep-and-compare.md). None where either has no bearings.
    */
   void add_supports(const PairRun &run, const ComparedCase &loaded, ComparisonRows &rows);
 } // namespace vfife

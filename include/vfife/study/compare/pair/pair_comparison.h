@@ -9,8 +9,8 @@ namespace vfife
 {
   /**
    * Rows of a gear pair: its run against loaded contact analysis, coupled modes and lumped model,
-   * as far as these are among the cases (doc/study.md, Kind compare). Throws InputError where
-   * results cannot be read.
+   * as far as these are among the cases (doc/reference/sweep-and-compare.md). Throws InputError
+   * where results cannot be read.
    */
   ComparisonRows compare_pair(const ComparedCases &cases, const ComparisonTolerances &tolerances);
 } // namespace vfife

@@ -31,11 +31,11 @@ namespace vfife
 
   /**
    * How far a pair's transmission error may depart from its static curve because it swings
-   * (doc/study.md, Kind compare): harmonic k of the curve is followed by a mode f_i with the
-   * amplification 1/(1 - r^2), r = k f_mesh/f_i, so the departure is at most
-   *   sum_k A_k |sum_i s_i r^2/(1 - r^2)|
-   * without damping; s_i: shares. @p curve: at positions that lie evenly over one tooth mesh, from
-   * its beginning on; harmonics are those they resolve. In the unit of the curve.
+   * (doc/reference/sweep-and-compare.md): harmonic k of the curve is followed by a mode f_i with
+   * the amplification 1/(1 - r^2), r = k f_mesh/f_i, so the departure is at most sum_k A_k |sum_i
+   * s_i r^2/(1 - r^2)| without damping; s_i: shares. @p curve: at positions that lie evenly over
+   * one tooth mesh, from its beginning on; harmonics are those they resolve. In the unit of the
+   * curve.
    */
   double estimate_swing(const std::vector<double> &curve,
                         double                     mesh_frequency,

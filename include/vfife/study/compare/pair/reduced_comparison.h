@@ -8,8 +8,9 @@ namespace vfife
 {
   class PairRun;
 
-  /** Rows of an explicit run against the reduced pair of the same file (doc/study.md, Kind
-   * compare): means, curves over the tooth mesh, orders of the mesh frequency, swing. */
+  /** Rows of an explicit run against the reduced pair of the same file
+   * (doc/reference/sweep-and-compare.md): means, curves over the tooth mesh, orders of the mesh
+   * frequency, swing. */
   void add_reduced(const PairRun &run, const PairRun &reduced, ComparisonRows &rows);
 } // namespace vfife
 
