@@ -39,7 +39,7 @@ def read_arguments():
 
 
 def tests_of(file):
-    """source/study/waves/x.cc: the tests in tests/study/waves, or else those in tests/study."""
+    """source/study/reduced/x.cc: the tests in tests/study/reduced, or else those in tests/study."""
     folder = Path(*Path(file).parent.parts[1:])
     if Path(file).parts[0] == "include":
         folder = folder.relative_to("vfife")

@@ -51,12 +51,16 @@ class Workshop:
 
     def call(self, command, folder, must_work=False):
         """Exit code and output, which is added to the log."""
+        # ccache hashes what the precompiled header is made of (cmake/precompiled_header.cmake).
+        os.environ.setdefault("CCACHE_PCH_EXTSUM", "true")
         process = subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                                    errors="replace", start_new_session=True)
         try:
             output, _ = process.communicate()
         except BaseException:
-            os.killpg(process.pid, signal.SIGKILL)
+            # ninja ends its compilers.
+            os.killpg(process.pid, signal.SIGINT)
+            process.communicate()
             raise
         with self.log.open("a", encoding="utf-8") as log:
             log.write(f"$ {' '.join(command)}\n{output}[{process.returncode}]\n")
