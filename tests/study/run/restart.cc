@@ -188,6 +188,14 @@ namespace
     const std::string steps = "Dynamics/largest number of steps=";
     run_program(command("parts", {"--set", steps + "57"}));
     const std::string from = "parts/checkpoint.bin";
+    forge(from, [](std::string &) {});
+    {
+      // Behind the mark of 16 bytes.
+      std::fstream file("forged/checkpoint.bin", std::ios::in | std::ios::out | std::ios::binary);
+      file.seekp(16);
+      file.put(4);
+    }
+    show("of an earlier version", run_program(command("forged", {"--restart"})));
     forge(from, [](std::string &state) { state.resize(state.size() / 2); });
     show("forged, cut", run_program(command("forged", {"--restart"})));
     forge(from, [](std::string &state) { state += "more"; });
