@@ -8,6 +8,11 @@ std::string source_folder()
   return TEST_SOURCE_FOLDER;
 }
 
+std::string tree_folder()
+{
+  return TEST_TREE_FOLDER;
+}
+
 std::string program_file()
 {
   return TEST_PROGRAM_FILE;

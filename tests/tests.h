@@ -10,6 +10,9 @@
 /** Folder of the sources of this program's tests. */
 std::string source_folder();
 
+/** Folder of README.md, prm/ and doc/. */
+std::string tree_folder();
+
 /** The program vfife. */
 std::string program_file();
 

@@ -1,8 +1,7 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """Where mutants are built and tested: a copy of the tree with a build folder of its own.
 
-The library is static: an edit costs one compilation, the archive and a link of each test that is named. With ccache,
-which the build uses by itself, putting a text back costs the archive alone.
+The library is static: an edit costs one compilation, the archive and a link of each test program.
 """
 import json
 import os
@@ -10,27 +9,14 @@ import re
 import shutil
 import signal
 import subprocess
-import time
-from hashlib import sha256
 from pathlib import Path
 
-from table import ROOT
-
-# What a build reads, and what makes tests pass or fail.
-TELLING = ("CMakeLists.txt", "CMakePresets.json", "cmake", "include", "meshes", "prm", "source", "tests")
-CONTENT = (*TELLING, "README.md", "LICENSE", "run", "check", "contrib", "doc", "examples")
+ROOT = Path(__file__).resolve().parents[2]
+FAILED = re.compile(r"Test +#\d+: (\S+) \.*.*?(?:\*\*\*|Subprocess )(Timeout)?")
 
 
 class WorkshopError(Exception):
     pass
-
-
-def list_files():
-    for name in CONTENT:
-        top = ROOT / name
-        for path in sorted(top.rglob("*")) if top.is_dir() else [top]:
-            if path.is_file() and "__pycache__" not in path.parts:
-                yield path.relative_to(ROOT)
 
 
 class Workshop:
@@ -38,92 +24,63 @@ class Workshop:
         self.tree, self.jobs, self.limit = folder, jobs, limit
         self.build = folder / "build/release"
         self.log = folder / "mutants.log"
-        self.results = folder / "mutants.json"  # of earlier calls
-        self.digest = ""
-        self.programs = {}  # target that builds a test, by its name in ctest; None: needs nothing built
+        self.tests = {}  # target that builds a test, by its name in ctest; None: needs nothing built
 
     def prepare(self):
-        """The tree as it is now; files that are alike stay untouched, so that little is built anew."""
-        digest = sha256()
-        wanted = set()
-        self.tree.mkdir(parents=True, exist_ok=True)
-        for path in list_files():
-            content = (ROOT / path).read_bytes()
-            if path.parts[0] in TELLING:
-                digest.update(str(path).encode() + b"\0" + content + b"\0")
-            wanted.add(path)
+        """The tree as it is; files that are alike stay untouched, so that little is built anew."""
+        listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "-z"], cwd=ROOT, check=True,
+                                stdout=subprocess.PIPE, text=True).stdout
+        wanted = {Path(name) for name in listed.split("\0") if name and (ROOT / name).is_file()}
+        for path in sorted(wanted):
             copy = self.tree / path
-            if not copy.is_file() or copy.read_bytes() != content:
+            if not copy.is_file() or copy.read_bytes() != (ROOT / path).read_bytes():
                 copy.parent.mkdir(parents=True, exist_ok=True)
                 shutil.copyfile(ROOT / path, copy)
                 shutil.copymode(ROOT / path, copy)
-        for name in CONTENT:
-            for copy in (self.tree / name).rglob("*") if (self.tree / name).is_dir() else ():
+        for top in {path.parts[0] for path in wanted}:
+            for copy in (self.tree / top).rglob("*"):
                 if copy.is_file() and copy.relative_to(self.tree) not in wanted:
                     copy.unlink()
-        self.digest = digest.hexdigest()
-        if not (self.build / "build.ninja").is_file():
-            self.call(["cmake", "--preset", "release", f"-DTEST_TIME_LIMIT={self.limit}"], self.tree, check=True)
-        self.list_tests()
+        self.call(["cmake", "--preset", "release", f"-DTEST_TIME_LIMIT={self.limit}"], self.tree, must_work=True)
+        output = self.call(["ctest", "--show-only=json-v1"], self.build, must_work=True)[1]
+        for test in json.loads(output[output.index("{"):])["tests"]:
+            words = test.get("command", ())
+            program = next((Path(word).name for word in words if word.endswith("_tests")), None)
+            # Scripts are handed the program that they run.
+            self.tests[test["name"]] = program or ("vfife_main" if str(self.build / "vfife") in words else None)
 
-    def call(self, command, folder, limit=None, check=False):
-        """Exit code and output, which goes to the log; no code where the time was not enough."""
-        begin = time.monotonic()
+    def call(self, command, folder, must_work=False):
+        """Exit code and output, which is added to the log."""
+        # ccache hashes what the precompiled header is made of (cmake/precompiled_header.cmake).
+        os.environ.setdefault("CCACHE_PCH_EXTSUM", "true")
         process = subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                                    errors="replace", start_new_session=True)
         try:
-            output, _ = process.communicate(timeout=limit)
-            code = process.returncode
-        except BaseException as error:
-            os.killpg(process.pid, signal.SIGKILL)
             output, _ = process.communicate()
-            if not isinstance(error, subprocess.TimeoutExpired):
-                raise
-            code = None
+        except BaseException:
+            # ninja ends its compilers.
+            os.killpg(process.pid, signal.SIGINT)
+            process.communicate()
+            raise
         with self.log.open("a", encoding="utf-8") as log:
-            log.write(f"$ {' '.join(command)}\n{output}[{code}, {time.monotonic() - begin:.1f} s]\n")
-        if check and code != 0:
+            log.write(f"$ {' '.join(command)}\n{output}[{process.returncode}]\n")
+        if must_work and process.returncode != 0:
             raise WorkshopError(f"{' '.join(command[:4])}... failed: see {self.log}")
-        return code, output
+        return process.returncode, output
 
-    def list_tests(self):
-        # ninja makes its files anew where tests came or went.
-        self.call(["ninja", "build.ninja"], self.build, check=True)
-        _, output = self.call(["ctest", "--show-only=json-v1"], self.build, check=True)
-        for test in json.loads(output[output.index("{"):])["tests"]:
-            # build/release/tests/fem/fem_tests is the target fem_tests.
-            program = next((Path(word).name for word in test.get("command", ()) if word.endswith("_tests")), None)
-            # Scripts are handed the program that they run.
-            if program is None and str(self.build / "vfife") in test.get("command", ()):
-                program = "vfife_main"
-            self.programs[test["name"]] = program
+    def verdict(self, pattern):
+        """Of the tree as it stands, and the test that failed first."""
+        tests = [test for test in self.tests if re.search(pattern, test)]
+        if not tests:
+            raise WorkshopError(f'no test has a name with "{pattern}"')
+        targets = sorted({self.tests[test] for test in tests} - {None})
+        if targets and self.call(["ninja", f"-j{self.jobs}", *targets], self.build)[0] != 0:
+            return "not built", ""
+        code, output = self.call(["ctest", f"-j{self.jobs}", "--stop-on-failure", "-R", pattern], self.build)
+        if code == 0:
+            return "survived", ""
+        failed = FAILED.search(output)
+        return ("timed out" if failed and failed[2] else "killed"), failed[1] if failed else ""
 
-    def find_tests(self, name):
-        """fem/ranks: fem/ranks.mpirun=2"""
-        return [test for test in self.programs if test == name or test.startswith(name + ".")]
-
-    def make(self, tests):
-        """Whether all that the tests need could be built."""
-        targets = sorted({self.programs[test] for test in tests} - {None})
-        return not targets or self.call(["ninja", f"-j{self.jobs}", "-k0", *targets], self.build)[0] == 0
-
-    def passes(self, test):
-        """Whether the test passes; it has the time of TEST_TIME_LIMIT, this is for what hangs beyond it."""
-        code, _ = self.call(["ctest", "-j1", "-R", f"^{re.escape(test)}$"], self.build, 3 * self.limit)
-        return code == 0
-
-    def put(self, mutant):
-        path = self.tree / mutant.path
-        path.write_text(mutant.apply((ROOT / mutant.path).read_text(encoding="utf-8")), encoding="utf-8")
-
-    def put_back(self, mutant):
-        # With the time of now: the object is of the mutant.
-        (self.tree / mutant.path).write_bytes((ROOT / mutant.path).read_bytes())
-
-    def read_results(self):
-        return json.loads(self.results.read_text()) if self.results.is_file() else {"mutants": {}, "tests": {}}
-
-    def write_results(self, results):
-        part = self.results.with_suffix(".part")
-        part.write_text(json.dumps(results, indent=1))
-        part.replace(self.results)
+    def put(self, file, content):
+        (self.tree / file).write_text(content, encoding="utf-8")

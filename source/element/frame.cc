@@ -25,12 +25,6 @@ namespace vfife
   } // namespace
 
 
-  Matrix3 compute_mean_deformation_gradient(const HexahedronNodes &X, const HexahedronNodes &x)
-  {
-    return deformation_gradient_of(compute_mean_gradients(X), x);
-  }
-
-
   Matrix3 compute_polar_rotation(const Matrix3 &F)
   {
     // F = W S V^T = (W V^T)(V S V^T): the first factor is the rotation, the second the stretch U.

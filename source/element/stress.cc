@@ -65,17 +65,6 @@ namespace vfife
   }
 
 
-  Stress compute_mean_stress(const HexahedronNodes &X,
-                             const HexahedronNodes &x,
-                             const Material        &material,
-                             const FrameKind        frame)
-  {
-    // Bubbles and hourglass patterns have strains of mean zero.
-    return compute_elasticity(material) * compute_strain_matrix(compute_mean_gradients(X)) *
-           compute_local_displacements(X, x, frame);
-  }
-
-
   Stress turn_stress(const Stress &s, const Matrix3 &axes)
   {
     // sigma' = A^T sigma A, A with the new axes as columns.

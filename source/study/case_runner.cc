@@ -74,7 +74,7 @@ namespace vfife
   std::string CaseRunner::find_change(const CommandLine &line) const
   {
     // Results have all entries in force beside them: read as a file they are compared with those of
-    // now, defaults included. Entries that are not there were not known then.
+    // now, defaults included. Entries that are not there are of a later version of the program.
     CommandLine before;
     before.parameter_file = line.output_folder + "/parameters.prm";
     const CaseFile now    = read(line);
@@ -88,12 +88,12 @@ namespace vfife
     for (std::size_t i = 0; i < now.entries.size(); ++i)
       {
         const auto &[entry, value] = now.entries[i];
-        const std::string former   = stated.contains(entry)
-                                       ? then.entries[i].second
-                                       : way_before(entry, then.entries[i].second);
-        const auto        digest   = digests.find(entry);
+        const std::string &former  = then.entries[i].second;
+        const auto         digest  = digests.find(entry);
         if (then.entries[i].first != entry)
           return "other sections";
+        if (!stated.contains(entry))
+          return entry + ": expected an entry of the earlier results, which do not have it";
         if (digest != digests.end())
           {
             const std::string other = find_other_content(former, digest->second, value);

@@ -7,7 +7,6 @@
 #include <vfife/study/continuation.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -17,22 +16,12 @@ namespace vfife
 {
   namespace
   {
-    /** What all runs did before there was an entry, where its default is not that any more. */
-    struct FormerWay
-    {
-      const char *entry; ///< name, or path
-      const char *text;
-    };
-    constexpr std::array<FormerWay, 3> former_ways = {{{"integration", "explicit"},
-                                                       {"Dynamics/step bound", "element"},
-                                                       {"friction damping ratio", "0"}}};
-
     /** An entry as the run was begun with it, and as it is now. */
     struct BothTexts
     {
       std::optional<std::string> before, now; ///< none: there is no such entry
       bool                       was_set = true;
-      std::string                at_that_time;  ///< with which a run goes on that did not know it
+      std::string                default_now;
       std::optional<std::string> digest_before; ///< of the file that it names
     };
 
@@ -52,7 +41,7 @@ namespace vfife
       for (const auto &[path, text] : now.list_values())
         entries[path].now = text;
       for (const auto &[path, text] : now.list_defaults())
-        entries[path].at_that_time = way_before(path, text);
+        entries[path].default_now = text;
       return entries;
     }
 
@@ -61,11 +50,11 @@ namespace vfife
     {
       const auto quoted = [](const std::string &text) { return "\"" + text + "\""; };
       if (!entry.before)
-        return *entry.now == entry.at_that_time
+        return *entry.now == entry.default_now
                  ? ""
                  : "is " + quoted(*entry.now) +
                      ", but the run was begun without this entry: it goes on with " +
-                     quoted(entry.at_that_time) + " only, as all did then";
+                     quoted(entry.default_now) + " only";
       if (!entry.now)
         return !entry.was_set ? ""
                               : "the run was begun with " + quoted(*entry.before) +
@@ -84,24 +73,6 @@ namespace vfife
                    list_of(changeable, true);
     }
 
-    /** Whether an earlier version had 0 for a penalty that it derived. */
-    bool is_former_zero(const std::string &path, const BothTexts &entry)
-    {
-      const std::string word = "Contact/penalty";
-      return entry.before && *entry.before == "0" && entry.now &&
-             (path == word || (path.rfind("Model/", 0) == 0 &&
-                               path.find("/penalty") + 8 == path.size() && *entry.now == "auto"));
-    }
-
-    /** General models derive it as they did, gear pairs do not. */
-    std::string find_change_of_zero(const std::string &path)
-    {
-      return path.rfind("Model/", 0) == 0
-               ? ""
-               : "is found by the contact's own grid now, and the run was begun with the penalty "
-                 "of an earlier version; go on with that version, or begin anew without --restart";
-    }
-
     void refuse_changes(const DeclaredSection          &now,
                         const std::vector<std::string> &changeable,
                         Checkpoint                     &checkpoint)
@@ -113,8 +84,7 @@ namespace vfife
         {
           if (std::find(changeable.begin(), changeable.end(), path) != changeable.end())
             continue;
-          const std::string change = is_former_zero(path, entry) ? find_change_of_zero(path)
-                                                                 : find_change(entry, changeable);
+          const std::string change = find_change(entry, changeable);
           if (!change.empty())
             errors.emplace_back(path, change);
           else if (!entry.before)
@@ -127,7 +97,7 @@ namespace vfife
       if (!errors.empty())
         throw InputErrors(errors);
       if (!younger.empty())
-        checkpoint.remarks.push_back("not known when the run was begun, as all did then: " +
+        checkpoint.remarks.push_back("not known when the run was begun, at the default: " +
                                      list_of(younger));
       if (!gone.empty())
         checkpoint.remarks.push_back("at the default when the run was begun, not known now: " +
@@ -149,18 +119,6 @@ namespace vfife
            digest_before + "), got " +
            (digest.empty() ? "\"" + name_now + "\", which is no file that can be read"
                            : "that of \"" + name_now + "\" (" + digest + ")");
-  }
-
-  std::string way_before(const std::string &path, const std::string &default_now)
-  {
-    for (const FormerWay &way : former_ways)
-      {
-        const std::string behind = std::string("/") + way.entry, whole = "/" + path;
-        if (whole.size() >= behind.size() &&
-            whole.compare(whole.size() - behind.size(), behind.size(), behind) == 0)
-          return way.text;
-      }
-    return default_now;
   }
 
   std::vector<std::string> list_changeable(const bool longer)

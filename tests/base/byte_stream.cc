@@ -140,18 +140,6 @@ int main()
         wider.n_rows() == 3 && wider.numbers("length")[1] == 2.5 &&
           std::isnan(wider.numbers("force")[1]) && wider.column("name").texts[1] == "two");
 
-  // A column that was called otherwise.
-  ByteStream of_before;
-  Table      before, now;
-  before.add_column("mesh damping loss", "mJ");
-  before.add_row({-181.});
-  before.serialize_rows(of_before);
-  now.add_column("taken by the mesh damping", "mJ");
-  ByteStream rows_before(of_before.bytes());
-  now.serialize_rows(rows_before);
-  check("rows with a column of another name",
-        now.n_rows() == 1 && now.numbers("taken by the mesh damping")[0] == -181);
-
   parts();
   refuse([&] {
     ByteStream part(written.bytes().substr(0, written.bytes().size() - 1));

@@ -295,7 +295,7 @@ namespace
   /** Quarter plate with a hole, made by Gmsh: meshes/plate_with_hole.geo. */
   void check_foreign()
   {
-    const auto plate = read_body(source_folder() + "/../../meshes/plate_with_hole.msh");
+    const auto plate = read_body(tree_folder() + "/meshes/plate_with_hole.msh");
     check("plate: elements", plate->triangulation.n_active_cells() == 480);
     // 16 chords around the quarter hole: its area is too small by sin(a)/a
     const double a = pi / 32.;

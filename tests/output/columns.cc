@@ -394,7 +394,7 @@ int main(int argc, char **argv)
       std::filesystem::remove_all(folder.path());
       return 0;
     }
-  std::ifstream     file(source_folder() + "/../../doc/columns.json");
+  std::ifstream     file(tree_folder() + "/doc/columns.json");
   std::stringstream page;
   page << file.rdbuf();
   const std::string difference = find_difference(page.str(), written);

@@ -21,8 +21,8 @@ inline std::string few_teeth(const std::string &gear_body, const std::string &ge
          "subsection Gear\nsubsection Body\n" +
          gear_body +
          "\nset bore radius = 50 mm\nset hub radius = 60 mm\nset hub length = 36 mm\nend\n" + mesh +
-         gear_mesh + "\nend\nend\nend\ninclude " + source_folder() +
-         "/../study/quick_contact/contact.prm\n\n\n";
+         gear_mesh + "\nend\nend\nend\ninclude " + tree_folder() +
+         "/tests/study/quick_contact/contact.prm\n\n\n";
 }
 
 #endif

@@ -25,12 +25,12 @@ inline std::string coarse_pair(const std::string &gear_body, const std::string &
       set cells across tooth = 2
       set flank rows         = 2
 )";
-  return std::string("include ") + source_folder() + "/../../prm/paper_pair.prm\n" +
+  return std::string("include ") + tree_folder() + "/prm/paper_pair.prm\n" +
          "subsection Gear pair\n  subsection Pinion" + mesh +
          "      set rim rows           = 2\n    end\n  end\n" +
          "  subsection Gear\n    subsection Body\n" + gear_body + "\n    end" + mesh + gear_mesh +
-         "\n    end\n  end\nend\ninclude " + source_folder() +
-         "/../study/quick_contact/contact.prm\n\n\n";
+         "\n    end\n  end\nend\ninclude " + tree_folder() +
+         "/tests/study/quick_contact/contact.prm\n\n\n";
 }
 
 /** A conical web in its coarsest mesh: entries for coarse_pair(). */

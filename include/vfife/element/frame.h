@@ -11,9 +11,6 @@ namespace vfife
   /** "polar", "three nodes". */
   const Choices<FrameKind> &frame_choices();
 
-  /** Mean deformation gradient F = (1/V) int dx/dX dV; x = F X exactly for linear motions. */
-  Matrix3 compute_mean_deformation_gradient(const HexahedronNodes &X, const HexahedronNodes &x);
-
   /** The rotation R of F = R U (U symmetric positive definite), by singular value decomposition. */
   Matrix3 compute_polar_rotation(const Matrix3 &F);
 

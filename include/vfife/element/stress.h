@@ -48,12 +48,6 @@ namespace vfife
                                                      StiffnessKind          kind,
                                                      FrameKind              frame);
 
-  /** Mean stress over the volume [MPa], same axes: that of the mean gradients, for every kind. */
-  Stress compute_mean_stress(const HexahedronNodes &X,
-                             const HexahedronNodes &x,
-                             const Material        &material,
-                             FrameKind              frame);
-
   /** The stress in the axes that are the columns of @p axes. */
   Stress turn_stress(const Stress &stress, const Matrix3 &axes);
 

@@ -12,10 +12,6 @@ namespace vfife
   struct Checkpoint;
   struct DeclaredSection;
 
-  /** What a run did that did not know the entry @p path: @p default_now, or what all did before
-   * there was an entry whose default is another one. */
-  std::string way_before(const std::string &path, const std::string &default_now);
-
   /** How the content of the file that an entry names differs from that with the digest
    * @p digest_before (digest_of_file()); empty where it does not, whatever the names are. */
   std::string find_other_content(const std::string &name_before,

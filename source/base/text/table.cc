@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <ostream>
 #include <stdexcept>
@@ -27,25 +26,6 @@ namespace vfife
       for (const char letter : text)
         quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
       return quoted + "\"";
-    }
-
-    /** Headers that columns had in checkpoints of other versions, and what they are called now. */
-    constexpr std::array<std::pair<const char *, const char *>, 1> former_headers = {
-      {{"mesh damping loss [mJ]", "taken by the mesh damping [mJ]"}}};
-
-    /** Under which of the @p stored headers a column stands that is called @p header now; empty
-     * where it is younger. */
-    std::string find_stored(const std::string &header, const std::vector<std::string> &stored)
-    {
-      const auto has = [&stored](const std::string &name) {
-        return std::find(stored.begin(), stored.end(), name) != stored.end();
-      };
-      if (has(header))
-        return header;
-      for (const auto &[former, present] : former_headers)
-        if (header == present && has(former))
-          return former;
-      return "";
     }
 
     /** "length [mm]"; a text column has no unit. */
@@ -139,18 +119,15 @@ namespace vfife
       stored.push_back(header_of(column));
     const std::vector<std::string> known = stored;
     stream.pass_required_part("columns", [&](ByteStream &part) { part.pass(stored, n_rows_); });
-    std::vector<std::string> own;
-    for (const std::string &header : known)
-      own.push_back(find_stored(header, stored));
     for (const std::string &name : stored)
-      if (std::find(own.begin(), own.end(), name) == own.end())
+      if (std::find(known.begin(), known.end(), name) == known.end())
         throw InputError("stored rows have a column " + name + ", which is not one of " +
                          csv_header());
     // 2. Cells. A column that is younger than the rows has none for them.
     for (std::size_t i = 0; i < columns_.size(); ++i)
       {
         Column    &column    = columns_[i];
-        const bool was_there = stream.pass_part(own[i], [&](ByteStream &part) {
+        const bool was_there = stream.pass_part(known[i], [&](ByteStream &part) {
           part.pass(column.numbers, column.texts);
           part.require((column.is_text ? column.texts.size() : column.numbers.size()) == n_rows_,
                        "a column that is not as long as the table");

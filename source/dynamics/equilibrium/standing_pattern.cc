@@ -109,13 +109,4 @@ namespace vfife
     for (const Node &node : nodes_)
       velocities.add(node.local, node.velocity);
   }
-
-
-  double StandingPattern::largest_velocity() const
-  {
-    double largest = 0.;
-    for (const Node &node : nodes_)
-      largest = std::max(largest, node.velocity.norm());
-    return largest;
-  }
 } // namespace vfife

@@ -145,11 +145,6 @@ namespace vfife
     return sums_[3];
   }
 
-  double ContactSystem::largest_local_penetration() const
-  {
-    return largest_penetration_;
-  }
-
   bool ContactSystem::is_too_deep() const
   {
     return sums_[2] > 0;

@@ -304,8 +304,7 @@ namespace vfife
   void ContactSystem::sum_results()
   {
     // Energy, lost power, whether a point is too deep, friction loss, pressure, failure.
-    largest_penetration_ = 0;
-    sums_                = {};
+    sums_ = {};
     for (const auto &pair : pairs_)
       for (const GroupPairResult &result : pair->contact.results())
         {
@@ -313,7 +312,6 @@ namespace vfife
           sums_[1] += result.damping_power;
           sums_[3] += result.friction_loss;
           sums_[4] += result.normal_force;
-          largest_penetration_ = std::max(largest_penetration_, result.largest_penetration);
           if (result.largest_penetration > pair->penetration_limit())
             sums_[2] = 1;
         }

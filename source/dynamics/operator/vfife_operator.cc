@@ -379,11 +379,6 @@ namespace vfife
     return n;
   }
 
-  std::size_t VfifeOperator::n_shared_elements() const
-  {
-    return n_local_elements() - n_own_elements();
-  }
-
   unsigned int VfifeOperator::own_bytes() const
   {
     // The triad of the undeformed element is for the three-node frame.

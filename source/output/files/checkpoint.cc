@@ -23,9 +23,10 @@ namespace vfife
 
     const char last_name[] = "checkpoint.bin", previous_name[] = "checkpoint.previous.bin";
 
-    /** Raised only by what older programs cannot read: parts and entries are found by their names
-     * (ByteStream::pass_part()), so that new ones do not. */
-    const SealedFile seal = {"vfife-run-state", "checkpoint", 4};
+    /** Raised where runs cannot go on from what earlier programs wrote: parts and entries are found
+     * by their names (ByteStream::pass_part()), so that new ones do not raise it, but another
+     * meaning of a default does. */
+    const SealedFile seal = {"vfife-run-state", "checkpoint", 5};
 
     /** Both directions. */
     void serialize(ByteStream &stream, Checkpoint &checkpoint)

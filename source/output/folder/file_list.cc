@@ -15,44 +15,14 @@ namespace vfife
   FileList::FileList(std::string folder)
     : folder_(std::move(folder))
   {
-    const fs::path  path(folder_);
-    std::error_code error;
-    if (fs::exists(path / file_name, error))
-      read();
-    else if (fs::exists(path / "parameters.prm", error))
-      guess();
-  }
-
-  void FileList::read()
-  {
     std::ifstream file(fs::path(folder_) / file_name);
+    if (!file)
+      return;
     for (std::string name; std::getline(file, name);)
       // A line that leads out of the folder is none of the program's.
       if (!name.empty() && name[0] != '/' && name.find("..") == std::string::npos)
         names_.insert(name);
     names_.insert(file_name);
-  }
-
-  void FileList::guess()
-  {
-    std::error_code error;
-    for (const auto &entry : fs::directory_iterator(folder_, error))
-      {
-        const std::string name = entry.path().filename().string();
-        // Numbered cases of sweeps and waves are results of the study above them.
-        const bool is_case = (name.rfind("run_", 0) == 0 || name.rfind("line_", 0) == 0) &&
-                             fs::exists(entry.path() / "parameters.prm", error);
-        if (entry.is_directory(error))
-          {
-            if (is_case || name == "fields" || name == "modes" || name == "beside")
-              names_.insert(name + "/");
-          }
-        else if (has_result_ending(name) && entry.path().extension() != ".prm")
-          names_.insert(name);
-      }
-    for (const char *name : {"parameters.prm", "pair.prm", "fitted_pair.prm", "run.log"})
-      if (fs::exists(fs::path(folder_) / name, error))
-        names_.insert(name);
   }
 
   void FileList::add(const std::string &file)

@@ -266,13 +266,6 @@ namespace vfife
     return part;
   }
 
-  bool SteadyPart::has_column(const std::string &name) const
-  {
-    return std::any_of(columns.begin(), columns.end(), [&name](const ColumnStatistics &c) {
-      return c.name == name;
-    });
-  }
-
   const ColumnStatistics &SteadyPart::column(const std::string &name) const
   {
     for (const ColumnStatistics &c : columns)

@@ -27,11 +27,6 @@ namespace vfife
            (wave.direction == WaveDirection::forward ? "with" : "against") + " the spin" + met;
   }
 
-  double WaveLine::predicted_width() const
-  {
-    return meeting.width(zeta);
-  }
-
   double WaveLine::damping_ratio() const
   {
     return meeting.wave.damping_ratio(zeta);

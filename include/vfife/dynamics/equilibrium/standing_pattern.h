@@ -39,8 +39,6 @@ namespace vfife
     /** Adds Omega u' to @p velocities [mm/s]. */
     void add_velocities(NodeField &velocities) const;
 
-    /** Largest Omega |u'| on this rank [mm/s]. */
-    double largest_velocity() const;
 
   private:
     struct Node

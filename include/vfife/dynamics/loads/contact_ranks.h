@@ -136,7 +136,6 @@ namespace vfife
     };
 
     const std::vector<unsigned int> &nodes_of(const Entry &entry, unsigned int side) const;
-    const Ranks                     &holders_of(const Node &node) const;
     /** Whether there are other candidates than before. */
     bool find_clusters(const Pairs &pairs);
     /** Of each cluster. */

@@ -128,8 +128,6 @@ namespace vfife
     /** Whether points that slide take their anchors along, see FrictionMode; they do at first. */
     void set_friction_mode(FrictionMode mode);
 
-    /** Largest penetration at the last add_forces() on this rank [mm]. */
-    double largest_local_penetration() const;
 
     /** Whether a penetration at the last add_forces() is beyond its pair's penetration limit; all
      * ranks. */
@@ -210,7 +208,6 @@ namespace vfife
     /** Place of a node in the solution for the pressures, while there is one. */
     std::vector<unsigned int>       places_;
     std::vector<ContactRanks::Node> touched_; ///< by this rank's points
-    double                          largest_penetration_ = 0;
     /** Of the last add_forces(), all ranks: energy, lost power, number of ranks with a penetration
      * that is too deep, friction loss, integral of the pressure, number of ranks that failed. */
     std::array<double, 6> sums_ = {};

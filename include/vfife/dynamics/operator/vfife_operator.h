@@ -117,8 +117,7 @@ namespace vfife
     std::size_t n_congruence_classes() const;
     const char *instruction_set() const;
 
-    /** Numbers of elements with shared constants and with their own, on this rank. */
-    std::size_t n_shared_elements() const;
+    /** Number of elements with their own constants, on this rank. */
     std::size_t n_own_elements() const;
     /** What one element with its own constants reads of them [bytes]. */
     unsigned int own_bytes() const;

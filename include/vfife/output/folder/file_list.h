@@ -17,8 +17,7 @@ namespace vfife
   public:
     static constexpr const char *file_name = "files.txt";
 
-    /** Reads files.txt. A folder without it that has a parameters.prm is of an earlier version of
-     * the program: all files that have the endings of results count as listed. */
+    /** Reads files.txt. A folder without it has no results. */
     explicit FileList(std::string folder);
 
     const std::set<std::string> &names() const
@@ -34,9 +33,6 @@ namespace vfife
     static bool has_result_ending(const std::string &file);
 
   private:
-    void read();
-    void guess();
-
     std::string           folder_;
     std::set<std::string> names_;
   };

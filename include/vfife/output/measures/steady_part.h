@@ -49,7 +49,6 @@ namespace vfife
 
     /** Throws InputError where there is no such column. */
     const ColumnStatistics &column(const std::string &name) const;
-    bool                    has_column(const std::string &name) const;
 
     /** Whether means and ripple are steady. */
     bool has_steady_ripple() const

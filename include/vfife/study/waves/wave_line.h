@@ -62,9 +62,8 @@ namespace vfife
 
     /** "wave of 4 diameters against the spin at mesh order 1" */
     std::string name() const;
-    double      predicted_width() const; ///< of the speed, over it [-]
-    double      damping_ratio() const;   ///< [-]
-    double      mesh_frequency() const;  ///< at the speed in contact [Hz]
+    double      damping_ratio() const;  ///< [-]
+    double      mesh_frequency() const; ///< at the speed in contact [Hz]
     /** Poles of the neighbours that a fit over these @p speeds can tell apart. */
     std::vector<std::complex<double>> others_beside(const std::vector<double> &speeds) const;
     /** Range of the driver's speed [rad/s] in which the amplification is more than @p allowed, by

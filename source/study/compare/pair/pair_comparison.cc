@@ -3,7 +3,6 @@
 #include <vfife/base/types.h>
 #include <vfife/output/files/result_places.h>
 #include <vfife/study/compare/nearest_mode.h>
-#include <vfife/study/compare/pair/arm_range.h>
 #include <vfife/study/compare/pair/bearing_comparison.h>
 #include <vfife/study/compare/pair/pair_comparison.h>
 #include <vfife/study/compare/pair/pair_run.h>
@@ -16,6 +15,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <sstream>
 
 namespace vfife
 {
@@ -25,6 +25,50 @@ namespace vfife
     {
       return std::accumulate(values.begin(), values.end(), 0.) / values.size();
     }
+
+    /**
+     * Arms of the contact force of a run, as its summary states them. The mean force is the torque
+     * over a mean of the arms at which tooth pairs carry, and these lie along the path of contact:
+     * how far they are from the arm of the mean contact is no fault of a run.
+     */
+    class ArmRange
+    {
+    public:
+      explicit ArmRange(const ComparedCase &run)
+        : mean_(figure(run, figure_name::effective_arm))
+        , least_(figure(run, figure_name::least_arm))
+        , largest_(figure(run, figure_name::largest_arm))
+      {
+        known_ = std::isfinite(mean_ + least_ + largest_) && least_ > 0;
+      }
+
+      /** Largest part by which torque over an arm of the path is off that over the mean contact's;
+       * 0 without arms in the summary. */
+      double spread() const
+      {
+        return known_ ? std::max(mean_ / least_ - 1, 1 - mean_ / largest_) : 0.;
+      }
+
+      /** The end of a sentence; empty where nothing is known. */
+      std::string describe() const
+      {
+        if (!known_)
+          return "";
+        std::ostringstream text;
+        text << ", " << mean_ << " mm; along the path of contact it is " << least_ << " to "
+             << largest_ << " mm, which the tolerance has in it";
+        return text.str();
+      }
+
+    private:
+      static double figure(const ComparedCase &run, const char *name)
+      {
+        return run.number("summary.json", summary_place::figure(name));
+      }
+
+      bool   known_;
+      double mean_, least_, largest_; ///< [mm]
+    };
 
     /** NaN without a value, and where one is not a number, which no comparison finds. */
     double peak_to_peak(const std::vector<double> &values)

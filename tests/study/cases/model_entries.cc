@@ -1,0 +1,406 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Entries of sections Contact and Dynamics that files hardly ever set: each in a model of a few
+// elements, of which a step or two are enough to see what the entry says.
+#include "../../model_sections.h"
+#include "../../parts.h"
+#include "../../tests.h"
+#include "../quick_pair.h"
+
+#include <vfife/base/errors.h>
+#include <vfife/mesh/primitives/primitives.h>
+#include <vfife/model/body.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+using namespace vfife;
+
+namespace
+{
+  nlohmann::json read_summary(const std::string &folder)
+  {
+    std::ifstream file(folder + "/summary.json");
+    return nlohmann::json::parse(file);
+  }
+
+  double value_of(const nlohmann::json &figure)
+  {
+    return figure.at("value").get<double>();
+  }
+
+  constexpr double depth = .01, penalty = 100, area = 64, velocity = 100;
+
+  const std::string under = R"(  subsection Body under
+    set size x  = 20
+    set size y  = 20
+    set size z  = 4
+    set cells x = 10
+    set cells y = 10
+    set cells z = 1
+  end
+)";
+
+  /** A block of 8 x 8 mm lies @p depth deep in a larger one and slides: after no time at all the
+   * pressure is penalty times depth everywhere. */
+  std::map<std::string, std::vector<double>> run_touch(const std::string &entries,
+                                                       Communicator      &world)
+  {
+    const std::string text = R"(
+subsection Model
+  set bodies   = under, over
+  set contacts = faces
+)" + under + R"(  subsection Body over
+    set size x   = 8
+    set size y   = 8
+    set size z   = 4
+    set cells z  = 1
+    set position = 6, 6, 3.99 mm
+    set velocity = 0, 100, 0 mm/s
+  end
+  subsection Contact faces
+    set slave body        = over
+    set slave surface     = z-
+    set master body       = under
+    set master surface    = z+
+    set penalty from step = no
+    set penalty           = 100
+    set integration       = explicit
+)" + entries + R"(
+  end
+end
+subsection Dynamics
+  set end time                = 1
+  set largest number of steps = 1
+end
+subsection Output
+  set history every    = 1
+  set pictures         = no
+  set checkpoint every = 0
+end
+)";
+    return run_text("touch", text, world);
+  }
+
+  /** Contact force at the start [N]. */
+  double touch(const std::string &entries, Communicator &world)
+  {
+    return run_touch(entries, world)["contact force total"].front();
+  }
+
+  /** A sphere of few facets, 0.3 mm deep in a block. */
+  void press_sphere(Communicator &world)
+  {
+    run_text("sphere",
+             R"(
+subsection Model
+  set bodies   = under, ball
+  set contacts = faces
+)" + under + R"(  subsection Body ball
+    set mesh     = sphere
+    set position = 10, 10, 13.7 mm
+  end
+  subsection Contact faces
+    set slave body        = ball
+    set slave surface     = outer
+    set master body       = under
+    set master surface    = z+
+    set penalty from step = no
+    set penalty           = 100
+    set penetration limit = 1
+  end
+end
+subsection Dynamics
+  set end time                = 1
+  set largest number of steps = 1
+end
+subsection Output
+  set pictures         = no
+  set checkpoint every = 0
+end
+)",
+             world);
+  }
+
+  /** Warnings of a run's summary with @p part. */
+  unsigned int count_warnings(const std::string &folder, const std::string &part)
+  {
+    const nlohmann::json summary = read_summary(folder);
+    unsigned int         n       = 0;
+    for (const nlohmann::json &warning : summary.at("warnings"))
+      n += warning.get<std::string>().find(part) != std::string::npos;
+    return n;
+  }
+
+  void contact(Communicator &world)
+  {
+    const double force = penalty * depth * area;
+    check_close("penalty times depth times area [N]", touch("", world), force, 1e-9);
+
+    // Friction stands normal to the pressure: zero at first, then the stiffness ratio times penalty
+    // times the way of a step, on the whole area, until it slides.
+    check_close("friction coefficient: no force at first",
+                touch("set friction coefficient = 0.3\n", world) / force,
+                1.,
+                1e-12);
+    for (const double ratio : {1., 0.25})
+      {
+        const std::string entries =
+          "set friction coefficient = 0.3\nset tangential stiffness ratio = " +
+          std::to_string(ratio) + "\n";
+        auto         rows = run_touch(entries, world);
+        const double dt   = rows["time"].at(1);
+        // The block's own motion along the step is the velocity's but for some 1e-5 of it.
+        check_close("tangential stiffness ratio: force along the way",
+                    rows["faces contact force y"].at(1),
+                    -ratio * penalty * velocity * dt * area,
+                    1e-3 * ratio * penalty * velocity * dt * area);
+      }
+    check_close("regularization velocity: read and not used",
+                touch("set friction coefficient = 0.3\nset regularization velocity = 1 mm/s\n",
+                      world) /
+                  force,
+                1.,
+                1e-12);
+
+    check("regularization velocity: warned of once",
+          count_warnings("touch", "\"regularization velocity\" is no longer used") == 1);
+    check("a contact that fills its surface has any width",
+          count_warnings("touch", "mm wide") == 0);
+    // A sphere of facets of 4 mm, pressed in until a few points touch.
+    press_sphere(world);
+    check("a contact narrower than two facets: warned of",
+          count_warnings("sphere", "mm wide") == 1);
+
+    // (1 - d/2)^2 over the outer facets of 2 mm, d the distance to the border: a third of the depth
+    // where one side is the border, and 11/18 at corners, where d is bilinear.
+    check_close("edge relief: force",
+                touch("set edge relief width = 2\nset edge relief depth = 5 um\n", world),
+                force - penalty * .005 * 4 * (8. / 3 + 4 * 11. / 18),
+                1e-9);
+
+    // A contact would not look there, and the bodies would pass through one another.
+    try
+      {
+        touch("set depth limit = 5 um\n", world);
+        check("depth limit: refused", false);
+      }
+    catch (const InputError &error)
+      {
+        const std::string message = error.what();
+        check("depth limit: bodies that begin deeper are refused",
+              message.find("at most 0.005 mm inside each other") != std::string::npos &&
+                message.find("0.01 mm inside body \"under\"") != std::string::npos);
+      }
+    check_close("depth limit: at half of it [N]",
+                touch("set depth limit = 20 um\nset penetration limit = 0.6\n", world),
+                force,
+                1e-9);
+    try
+      {
+        touch("set depth limit = 20 um\nset penetration limit = 0.4\n", world);
+        check("given up", false);
+      }
+    catch (const NumericalError &error)
+      {
+        const std::string message = error.what();
+        check("penetration limit: 0.4 of the depth limit stops the run",
+              message.find("10 um deep") != std::string::npos &&
+                message.find("(limit 8 um, Contact/penetration limit)") != std::string::npos);
+      }
+  }
+
+  /** Cubes of 1 mm in a row along x, fixed at one end. */
+  std::string
+  bar(const unsigned int cells, const std::string &dynamics, const std::string &kind = "run")
+  {
+    const std::string n = std::to_string(cells);
+    return "subsection Study\n  set kind = " + kind +
+           "\nend\nsubsection Model\n  set bodies = bar\n" +
+           "  set constraints = foot\n  set loads = pull\n  set probes = tip\n" +
+           "  subsection Body bar\n    set size x  = " + n +
+           "\n    set size y  = 1\n    set size z  = 1\n    set cells x = " + n +
+           "\n    set cells y = 1\n    set cells z = 1\n  end\n" +
+           "  subsection Constraint foot\n    set nodes = x-\n  end\n" +
+           "  subsection Load pull\n    set nodes = x+\n    set force = 10, 0, 0\n  end\n" +
+           "  subsection Probe tip\n    set point = " + n + ", 0, 0\n  end\nend\n" +
+           "subsection Material steel\n  set Poisson's ratio = 0\nend\n" + "subsection Dynamics\n" +
+           dynamics +
+           (kind == "run" ? "  set end time = 1\n  set largest number of steps = 1\n" : "") +
+           "end\nsubsection Output\n  set pictures = no\n  set checkpoint every = 0\nend\n";
+  }
+
+  nlohmann::json run_bar(const unsigned int cells, const std::string &dynamics, Communicator &world)
+  {
+    run_text("bar", bar(cells, "  set safety = 1\n" + dynamics), world);
+    return read_summary("bar");
+  }
+
+  double step_of(const nlohmann::json &summary)
+  {
+    return value_of(summary.at("run").at("step"));
+  }
+
+  void step(Communicator &world)
+  {
+    const std::string    bound = "  set step bound = element\n";
+    const nlohmann::json plain = run_bar(8, bound, world);
+    const double         dt    = step_of(plain);
+    const auto           mass  = [](const nlohmann::json &summary, const char *name) {
+      return value_of(summary.at("mesh").at("bodies")[0].at(name));
+    };
+    // All elements are alike, so a step 1.2 times as large takes 1.44 times their masses.
+    const std::string scaled =
+      bound + "  set mass scaling step = " + std::to_string(1.2e9 * dt) + " ns\n";
+    const auto heavy = run_bar(8, scaled + "  set largest added mass = 0.45\n", world);
+    check_close("mass scaling step: the step", step_of(heavy) / dt, 1.2, 1e-6);
+    check_close("mass scaling step: added mass over mass",
+                mass(heavy, "added mass") / mass(plain, "mass"),
+                .44,
+                1e-5);
+    check_close("mass scaling step: mass", mass(heavy, "mass") / mass(plain, "mass"), 1.44, 1e-5);
+    try
+      {
+        run_bar(8, scaled + "  set largest added mass = 0.43\n", world);
+        check("refused", false);
+      }
+    catch (const InputError &error)
+      {
+        check("largest added mass: more is refused",
+              std::string(error.what()).find("allowed are 43 %") != std::string::npos);
+      }
+
+    // In a row of cubes all elements can stretch in turn with their highest frequency, 2 c/h.
+    check_close("step of cubes over h/c", dt / std::sqrt(7.85e-9 / 206000), 1., 1e-5);
+    const nlohmann::json row = run_bar(8, "  set step bound = assembly\n", world);
+    check_close("step bound: the same for a row of cubes", step_of(row) / dt, 1., .01);
+  }
+
+  /** Displacement and steps of a static bar under 10 N. */
+  void relaxation(Communicator &world)
+  {
+    // The lowest frequency of a bar fixed at one end, of 8 cubes: 2 (c/h) sin(pi/(4 n)).
+    const double rate  = 2 * std::sqrt(206000 / 7.85e-9) * std::sin(pi / 32);
+    const auto   solve = [&](const double part) {
+      const std::string entries = "  subsection Relaxation\n    set tolerance = 1e-7\n"
+                                    "    set virtual damping = " +
+                                  std::to_string(part * rate) + " 1/s\n  end\n";
+      auto columns = run_text("relaxed", bar(8, entries, "static"), world);
+      check_close("virtual damping: displacement over F L/(E A)",
+                  columns["tip displacement x"].back() / (10. * 8 / 206000),
+                  1.,
+                  1e-4);
+      return read_summary("relaxed").at("run").at("steps").get<double>();
+    };
+    // Strongly damped, what is left falls as exp(-rate^2/zeta t): at zeta = 20 and 40 rates twice
+    // as many steps.
+    const double critical = solve(2.), strong = solve(20.), stronger = solve(40.);
+    check("virtual damping: the critical one is faster", critical < .3 * strong);
+    check_close("virtual damping: steps over those of half of it", stronger / strong, 2., .05);
+  }
+
+  const std::string every_sample = R"(
+subsection Output
+  set history every    = 1
+  set pictures         = no
+  set checkpoint every = 0
+end
+)";
+
+  /** A ring of one row that is led around its axis, with v = omega r + c r^3 at its start. */
+  void damping_rate(Communicator &world)
+  {
+    constexpr double omega = 100, c = .1, zeta = 2000;
+    const Body       ring("ring", make_ring(20., 30., 5., {{1, 24, 1}}), Material());
+    double           m[5] = {0, 0, 0, 0, 0}; // sums of m r^k
+    for (unsigned int i = 0; i < ring.n_nodes(); ++i)
+      for (unsigned int k = 0; k < 5; ++k)
+        m[k] += ring.node_masses()[i] * std::pow(ring.node_positions()[i].head<2>().norm(), k);
+    const double momentum = omega + c * m[4] / m[2], mean_speed = omega + c * m[2] / m[0];
+
+    for (const bool is_mean : {false, true})
+      {
+        run_text("damped",
+                 "subsection Model\n  set bodies = ring\n  set constraints = across\n"
+                 "  subsection Constraint across\n    set nodes = all\n"
+                 "    set kind = displacement\n    set directions = r, z\n  end\n" +
+                   model_text::ring("ring", {{20, 30, 5}}, {{1, 24, 1}}, R"(
+    set bearing      = yes
+    set speed        = 100 rad/s
+    set initial velocity x = -0.1*y*(x^2 + y^2)
+    set initial velocity y = 0.1*x*(x^2 + y^2)
+)") + R"(
+end
+subsection Dynamics
+  set damping                 = 2000
+  set end time                = 1
+  set largest number of steps = 1
+  set safety                  = 0.01
+  set damping rate            = )" +
+                   (is_mean ? "mean speed" : "momentum") + "\nend\n" + every_sample,
+                 world);
+        const nlohmann::json audit = read_summary("damped").at("damping audit")[0];
+        const std::string    name  = is_mean ? "mean speed: " : "momentum: ";
+        check_close(name + "less the momentum rate [rpm]",
+                    value_of(audit.at("mean speed rate minus momentum rate")),
+                    (mean_speed - momentum) * 30 / pi,
+                    1e-3 * std::abs(mean_speed - momentum));
+        // -zeta sum m r (v - rate r) = -zeta I (momentum rate - rate), in N m
+        const double torque = 1e-3 * zeta * m[2] * (mean_speed - momentum);
+        check_close(name + "torque of the damper over the mean speed's",
+                    value_of(audit.at("net torque")) / torque,
+                    is_mean ? 1. : 0.,
+                    1e-3);
+      }
+  }
+
+  /** A sphere of a few elements of different sizes, twisted out of its plane for 10 us. */
+  std::string ball(const std::string &dynamics)
+  {
+    return R"(
+subsection Model
+  set bodies = ball
+  subsection Body ball
+    set mesh               = sphere
+    set radius             = 10
+    set core cells         = 2
+    set radial cells       = 1
+    set initial velocity z = 1000*x*y
+  end
+end
+subsection Dynamics
+  set end time = 10 us
+)" + dynamics +
+           "end\n" + every_sample;
+  }
+
+  void unequal_elements(Communicator &world)
+  {
+    // The elements beside the worst one do not give way as a free element does.
+    run_text("ball", ball("  set step bound = element\n"), world);
+    const double by_element = step_of(read_summary("ball"));
+    auto         history    = run_text("ball", ball("  set step bound = assembly\n"), world);
+    check("step bound: much larger where elements differ",
+          step_of(read_summary("ball")) > 1.3 * by_element);
+    check_below("step bound: and the run is stable", history["energy error"].back(), .02);
+
+    const auto exact = run_text("ball", ball("  set stiffness data = double\n"), world),
+               rough = run_text("ball", ball("  set stiffness data = single\n"), world);
+    double largest = 0, difference = 0;
+    for (std::size_t i = 0; i < exact.at("time").size(); ++i)
+      {
+        const double energy = exact.at("strain energy")[i];
+        largest             = largest_of(largest, energy);
+        difference = largest_of(difference, std::abs(energy - rough.at("strain energy")[i]));
+      }
+    // 24 bits of the hourglass stiffness, which carries part of this motion.
+    check_below("stiffness data: difference of single precision", difference / largest, 1e-7);
+    check("stiffness data: there is one", difference / largest > 1e-12);
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  run_parts(argc, argv, {contact, step, relaxation, damping_rate, unequal_elements});
+  return 0;
+}

@@ -1,0 +1,102 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Pressures on their own grid of a loaded tooth contact analysis of a coarse pair: the penalty
+// leaves no trace in them, and the tables agree.
+#include "../../tests.h"
+#include "../quick_pair.h"
+#include "../shaft_pair.h"
+
+#include <vfife/base/process/mpi_session.h>
+#include <vfife/output/files/run_figures.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <numeric>
+
+using namespace vfife;
+
+namespace
+{
+  Table read(const std::string &folder, const std::string &file)
+  {
+    return read_result_table(folder + "/" + file);
+  }
+
+  /** Rows of the same teeth at the same place. */
+  void compare_penalties(const Table &soft, const Table &hard)
+  {
+    check("penalties: the same teeth carry", soft.n_rows() == hard.n_rows());
+    const auto worst = [&](const std::string &column) {
+      double largest = 0;
+      for (std::size_t i = 0; i < std::min(soft.n_rows(), hard.n_rows()); ++i)
+        if (hard.numbers("share of torque")[i] > .1)
+          largest =
+            largest_of(largest, std::abs(soft.numbers(column)[i] / hard.numbers(column)[i] - 1.));
+      return largest;
+    };
+    // Measured 5e-5: gaps are linear in the displacements, but for the turn of the normals.
+    for (const char *column :
+         {"share of torque", "largest pressure inside", "contact length", "transmission error"})
+      {
+        check_below(std::string("penalties: ") + column, worst(column), 1e-3);
+      }
+  }
+
+  void check_tables(const std::string &folder)
+  {
+    const Table teeth = read(folder, "pressure.csv"), field = read(folder, "pressure_field.csv");
+    const auto &shares = teeth.numbers("share of torque");
+    const auto &torque = teeth.numbers("torque");
+    check_close("shares", std::accumulate(shares.begin(), shares.end(), 0.), 1., 1e-9);
+    check_close("torques [N m]", std::accumulate(torque.begin(), torque.end(), 0.), 800., 1e-4);
+    const auto largest = [](const std::vector<double> &values) {
+      return *std::max_element(values.begin(), values.end());
+    };
+    check_close("largest pressure of the field over that of teeth",
+                largest(field.numbers("pressure")) / largest(teeth.numbers("largest pressure")),
+                1.,
+                1e-9);
+    check_close("figure over the table",
+                read_figure(folder + "/figures.json", "/largest pressure inside on its own grid") /
+                  largest(teeth.numbers("largest pressure inside")),
+                1.,
+                1e-9);
+    // Teeth of 30 mm face width, 5.3 mm deep.
+    const auto &along = field.numbers("along the face, pinion"),
+               &up    = field.numbers("along the profile, pinion");
+    check("places on the flank",
+          std::abs(largest(along)) < 15.5 &&
+            std::abs(*std::min_element(along.begin(), along.end())) < 15.5 && largest(up) < 5. &&
+            *std::min_element(up.begin(), up.end()) > -3.);
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  MpiSession session(argc, argv);
+  std::ofstream("grid_pressure.prm")
+    << quick_pair("set web = none", "set rim rows = 2", "1e-5")
+    << "subsection Study\n set kind = loaded tooth contact analysis\nend\n"
+    << "subsection Loaded contact\n set positions = 1\n set pressure cells = 8\nend\n";
+  run_pair("grid_pressure.prm", "grid_pressure_soft", session.world(), {"Contact/penalty=4e5"});
+  run_pair("grid_pressure.prm", "grid_pressure_hard", session.world(), {"Contact/penalty=4e6"});
+  compare_penalties(read("grid_pressure_soft", "pressure.csv"),
+                    read("grid_pressure_hard", "pressure.csv"));
+  check_tables("grid_pressure_hard");
+  std::ofstream("grid_pressure_shafts.prm")
+    << shaft_pair::pair_on_shafts("", shaft_pair::Laws(), shaft_pair::many_teeth())
+    << shaft_pair::operation("60 rpm") << shaft_pair::kind("loaded tooth contact analysis")
+    << "subsection Loaded contact\n set positions = 1\n set pressure cells = 8\nend\n";
+  // On bearings the redistribution sees their linear stiffness alone.
+  run_pair("grid_pressure_shafts.prm",
+           "grid_pressure_shafts_soft",
+           session.world(),
+           {"Contact/penalty=4e5"});
+  run_pair("grid_pressure_shafts.prm",
+           "grid_pressure_shafts_hard",
+           session.world(),
+           {"Contact/penalty=4e6"});
+  compare_penalties(read("grid_pressure_shafts_soft", "pressure.csv"),
+                    read("grid_pressure_shafts_hard", "pressure.csv"));
+  return 0;
+}

@@ -1,0 +1,136 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// The main dimensions that every study of a gear pair states: of a proposed pair against closed
+// forms, of one from a settings sheet against the sheet, and the log beside the file.
+#include "../../tests.h"
+#include "../quick_pair.h"
+
+#include <vfife/base/process/mpi_session.h>
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+using namespace vfife;
+
+namespace
+{
+  double value(const nlohmann::json &group, const char *name)
+  {
+    return group.at(name).at("value").get<double>();
+  }
+
+  nlohmann::json
+  find_geometry(const std::string &name, const std::string &text, Communicator &communicator)
+  {
+    std::filesystem::remove_all(name);
+    std::ofstream(name + ".prm") << text;
+    run_pair(name + ".prm", name, communicator);
+    std::ifstream file(name + "/geometry.json");
+    return nlohmann::json::parse(file);
+  }
+
+  std::string study(const std::string &kind)
+  {
+    return "subsection Study\n  set kind = " + kind + "\nend\n";
+  }
+
+  void proposed(Communicator &communicator)
+  {
+    const nlohmann::json  json = find_geometry("geometry_proposed",
+                                              study("tooth contact analysis") + R"(
+subsection Gear pair
+  subsection Proposal
+    set pinion teeth = 17
+    set gear teeth   = 43
+    set module       = 4 mm
+  end
+end
+)",
+                                              communicator);
+    const nlohmann::json &pair = json.at("pair"), &pinion = json.at("pinion"),
+                         &gear = json.at("gear");
+    const double degree = std::atan(1.) / 45, outer = 2 * std::hypot(17, 43), width = .3 * outer,
+                 mean = outer - width / 2, cone = std::atan2(17, 43);
+    check("proposed: hands",
+          pinion.at("hand of spiral") == "left" && gear.at("hand of spiral") == "right");
+    check_close("proposed: module [mm]", value(pair, "outer transverse module"), 4, 1e-12);
+    check_close("proposed: mean normal module [mm]",
+                value(pair, "mean normal module"),
+                4 * mean / outer * std::cos(35 * degree),
+                1e-12);
+    for (const nlohmann::json *member : {&pinion, &gear})
+      {
+        const std::string name  = member == &pinion ? "proposed pinion: " : "proposed gear: ";
+        const double      teeth = member == &pinion ? 17 : 43,
+                     d          = member == &pinion ? cone : 90 * degree - cone;
+        check(name + "teeth", value(*member, "number of teeth") == teeth);
+        check_close(name + "spiral [deg]", value(*member, "mean spiral angle"), 35, 1e-12);
+        check_close(name + "pitch angle [deg]", value(*member, "pitch angle"), d / degree, 1e-10);
+        check_close(name + "outer cone distance [mm]",
+                    value(*member, "outer cone distance"),
+                    outer,
+                    1e-10);
+        check_close(name + "mean cone distance [mm]",
+                    value(*member, "mean cone distance"),
+                    mean,
+                    1e-10);
+        check_close(name + "face width [mm]", value(*member, "face width"), width, 1e-10);
+        check_close(name + "outer pitch diameter [mm]",
+                    value(*member, "outer pitch diameter"),
+                    4 * teeth,
+                    1e-10);
+        // The tip rises from the mean addendum with the face angle.
+        const double addendum =
+          value(*member, "mean addendum") +
+          std::tan(value(*member, "face angle") * degree - d) * (outer - mean);
+        check_close(name + "outer tip diameter [mm]",
+                    value(*member, "outer tip diameter"),
+                    4 * teeth + 2 * addendum * std::cos(d),
+                    1e-9);
+      }
+    check_close("proposed: cutter diameter [mm]",
+                value(gear, "cutter diameter, mean of the point radii"),
+                2 * .82 * mean,
+                1e-9);
+  }
+
+  void from_a_sheet(Communicator &communicator)
+  {
+    const nlohmann::json json =
+      find_geometry("geometry_sheet",
+                    std::string("include ") + tree_folder() + "/prm/paper_pair.prm\n" +
+                      study("tooth contact analysis"),
+                    communicator);
+    check("sheet: teeth",
+          value(json.at("pinion"), "number of teeth") == 27 &&
+            value(json.at("gear"), "number of teeth") == 79);
+    const nlohmann::json &gear = json.at("gear");
+    check_close("sheet: module times teeth is the diameter [mm]",
+                value(json.at("pair"), "outer transverse module") * 79,
+                value(gear, "outer pitch diameter"),
+                1e-9);
+    check_close("sheet: pitch angle [deg]",
+                std::tan(value(gear, "pitch angle") * std::atan(1.) / 45),
+                79. / 27,
+                1e-9);
+  }
+
+  void in_the_log()
+  {
+    std::ifstream      file("geometry_proposed/run.log");
+    std::ostringstream text;
+    text << file.rdbuf();
+    for (const char *words : {"hand of spiral                                     left      right",
+                              "outer pitch diameter [mm]                            68        172"})
+      check("log: " + std::string(words), text.str().find(words) != std::string::npos);
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  MpiSession session(argc, argv);
+  proposed(session.world());
+  from_a_sheet(session.world());
+  in_the_log();
+  return 0;
+}
