@@ -143,7 +143,9 @@ void check_definitions()
                                                  {"mm/s^2", 1e-3, 1, 0, -2},
                                                  {"m/s^2", 1., 1, 0, -2},
                                                  {"mm/rad", 1e-3, 1, 0, 0},
-                                                 {"1/mm", 1e3, -1, 0, 0}};
+                                                 {"1/mm", 1e3, -1, 0, 0},
+                                                 {"K", 1., 0, 0, 0},
+                                                 {"1/K", 1., 0, 0, 0}};
   check("every unit has its definition here", definitions.size() == known_units().size());
   double worst = 0.;
   for (const Definition &d : definitions)
