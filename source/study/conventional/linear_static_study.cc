@@ -6,7 +6,6 @@
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
 #include <vfife/dynamics/dynamics_options.h>
-#include <vfife/fem/statics/probe_values.h>
 #include <vfife/fem/statics/reactions.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>
@@ -34,6 +33,29 @@ namespace vfife
 {
   namespace
   {
+    /** Stresses of the model's nodes, as displacements, in the fixed frame at time zero. Bodies
+     * that are not part of the discretization show zeros. */
+    ProbeValue find_probe_value(const Probe               &probe,
+                                const Discretization      &discretization,
+                                const StaticResult        &result,
+                                const std::vector<Stress> &stresses)
+    {
+      const Discretization::Part *const part = discretization.find_part(probe.body);
+      if (part == nullptr)
+        return {};
+      const Body       &body   = discretization.model().bodies[probe.body];
+      const Matrix3     frame  = body.placement.rotation;
+      const std::size_t row    = 3 * std::size_t(part->first_point + probe.node);
+      const Vector3     moved  = Eigen::Map<const Vector3>(result.displacements.data() + row);
+      const Stress     &stress = stresses[body.first_node + probe.node];
+      if (probe.fixed_axes)
+        return make_probe_value(moved, stress, {frame});
+      const Matrix3 axes = compute_cylindrical_axes(body, body.node_positions()[probe.node]);
+      return make_probe_value(axes.transpose() * (frame.transpose() * moved),
+                              stress,
+                              {frame, axes});
+    }
+
     /** Words for LinearStaticOptions::at_time. */
     const Choices<bool> load_choices = {{"full", false}, {"at time", true}};
 
@@ -240,8 +262,7 @@ namespace vfife
     state.measured.energy.strain = result.strain_energy;
     state.measured.reactions     = compute_reactions(discretization, result);
     for (const Probe &probe : model.probes)
-      state.measured.probes.push_back(
-        compute_probe_value(probe, discretization, result.displacements, stresses));
+      state.measured.probes.push_back(find_probe_value(probe, discretization, result, stresses));
     Observers observers;
     if (!model.transmission)
       observers.push_back(std::make_unique<HistoryWriter>(folder, model, 1));
