@@ -38,8 +38,7 @@ namespace
     pair.options.time        = penalty > 0 ? ContactTime::implicit : ContactTime::explicit_;
     if (penalty > 0)
       {
-        pair.options.penalty.from_step = false;
-        pair.options.penalty.value     = penalty;
+        pair.options.penalty.value = penalty;
       }
     model.contacts.push_back(pair);
     return model;

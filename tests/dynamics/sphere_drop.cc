@@ -36,8 +36,7 @@ namespace
     options.time            = penalty > 0 ? ContactTime::implicit : ContactTime::explicit_;
     if (penalty > 0)
       {
-        options.penalty.from_step = false;
-        options.penalty.value     = penalty;
+        options.penalty.value = penalty;
       }
     return model;
   }

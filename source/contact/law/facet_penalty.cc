@@ -5,7 +5,6 @@ namespace vfife
 {
   void derive_from_facets(PenaltyOptions &options)
   {
-    options.from_step  = false;
     options.value      = 0.;
     options.derivation = "5 E*/h, 1/E* the sum of (1 - nu^2)/E of the bodies, h the width of the "
                          "facet";

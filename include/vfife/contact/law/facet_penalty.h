@@ -16,7 +16,7 @@ namespace vfife
     return facet_penalty_over_stiffness * modulus / width;
   }
 
-  /** Makes it the default: neither taken from the step nor given. */
+  /** Makes it the default. */
   void derive_from_facets(PenaltyOptions &options);
 } // namespace vfife
 
