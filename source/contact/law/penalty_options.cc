@@ -35,7 +35,7 @@ namespace vfife
     const std::string before = section.empty() ? "" : section + "/";
     if (!(value >= 0. && std::isfinite(value)))
       throw InputError(before + "penalty",
-                       "the penalty must be " auto " or a positive number of N/mm^3");
+                       "the penalty must be auto or a positive number of N/mm^3");
   }
 
 
