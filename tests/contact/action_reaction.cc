@@ -47,7 +47,7 @@ namespace
 
   ContactOptions hard_options()
   {
-    ContactOptions options;
+    ContactOptions options       = with_penalty(1e6);
     options.damping_ratio        = 0.2;
     options.friction.coefficient = 0.3;
     return options;

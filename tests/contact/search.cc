@@ -70,7 +70,7 @@ namespace
                             const double       r)
   {
     MovingSurface  slave(slave_surface), master(master_surface);
-    ContactOptions options;
+    ContactOptions options = with_penalty(1e6);
     options.edge_fading =
       0.; // a point with weight zero would carry no pressure and not be reported
     Contact         contact(slave.surface, master.surface, options);
@@ -165,7 +165,7 @@ namespace
       }
     row.n_groups = 5;
     find_neighbours(row);
-    ContactOptions options;
+    ContactOptions options = with_penalty(1e6);
     Contact        contact(row, row, options);
     RigidMotion    slave, master;
     slave.rotation    = rotation_about(Vector3::UnitZ(), 1.);
@@ -189,7 +189,7 @@ namespace
   void check_smallest_gap()
   {
     MovingSurface  slave(sphere_patch_down(30., 0.1, 9)), master(sphere_patch(50., 0.2, 8));
-    ContactOptions options;
+    ContactOptions options = with_penalty(1e6);
     options.points_per_facet.number =
       3; // 9 x 9 facets: the middle point of the middle one is the pole
     Contact     contact(slave.surface, master.surface, options);
@@ -214,7 +214,7 @@ namespace
   void check_near_nodes()
   {
     MovingSurface  slave(sphere_patch_down(30., 0.2, 24)), master(sphere_patch(50., 0.12, 20));
-    ContactOptions options;
+    ContactOptions options          = with_penalty(1e6);
     options.points_per_facet.number = 3;
     Contact      contact(slave.surface, master.surface, options);
     RigidMotion  motion;

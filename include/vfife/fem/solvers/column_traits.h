@@ -19,6 +19,8 @@
 #include <cmath>
 #include <ostream>
 
+// Doxygen knows nothing of Anasazi's namespace.
+/// @cond
 template <>
 class Anasazi::MultiVecTraits<double, vfife::Columns>
 {
@@ -147,5 +149,6 @@ public:
     A.apply(x, y);
   }
 };
+/// @endcond
 
 #endif
