@@ -29,6 +29,9 @@ int main(const int argc, char **argv)
         std::cerr << "  " << named.first << '\n';
       return 1;
     }
-  const int code = test->second(argc - 1, argv + 1);
-  return code == 0 && n_failed_checks() > 0 ? 1 : code;
+  const int          code   = test->second(argc - 1, argv + 1);
+  const CheckCounts &counts = check_counts();
+  if (counts.passed > 0)
+    std::cout << counts.passed << " checks: ok" << std::endl;
+  return code == 0 && counts.failed > 0 ? 1 : code;
 }

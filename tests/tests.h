@@ -16,22 +16,26 @@ std::string tree_folder();
 /** The program vfife. */
 std::string program_file();
 
-/** How many checks of this process have failed; the test then ends with an exit code other than 0.
- */
-inline unsigned int &n_failed_checks()
+/** Checks of this process; with a failed one the test ends with an exit code other than 0. */
+struct CheckCounts
 {
-  static unsigned int n_failed = 0;
-  return n_failed;
+  unsigned int passed = 0, failed = 0;
+};
+
+inline CheckCounts &check_counts()
+{
+  static CheckCounts counts;
+  return counts;
 }
 
-/**
- * One line per check: "name: ok", or the numbers when it fails, so that the comparison with the
- * .output file shows why. Tolerances are stated in the test, next to the reason for them.
- */
+/** Prints what fails, with its numbers, so that the comparison with the .output file shows why; the
+ * test's program prints how many checks have passed. Tolerances are stated in the test, next to the
+ * reason for them. */
 inline void check(const std::string &name, const bool condition)
 {
-  n_failed_checks() += condition ? 0 : 1;
-  std::cout << name << ": " << (condition ? "ok" : "FAILED") << std::endl;
+  ++(condition ? check_counts().passed : check_counts().failed);
+  if (!condition)
+    std::cout << name << ": FAILED" << std::endl;
 }
 
 inline void check_close(const std::string &name,
@@ -40,14 +44,14 @@ inline void check_close(const std::string &name,
                         const double       tolerance)
 {
   if (std::abs(value - reference) <= tolerance)
-    std::cout << name << ": ok" << std::endl;
-  else
     {
-      ++n_failed_checks();
-      std::cout.precision(15);
-      std::cout << name << ": FAILED, " << value << " instead of " << reference << " within "
-                << tolerance << std::endl;
+      ++check_counts().passed;
+      return;
     }
+  ++check_counts().failed;
+  std::cout.precision(15);
+  std::cout << name << ": FAILED, " << value << " instead of " << reference << " within "
+            << tolerance << std::endl;
 }
 
 /** The larger of two numbers, and NaN once there was one: std::max() drops it, and a largest error

@@ -90,9 +90,10 @@ namespace vfife
                    const ContactOptions &options)
     : options_(options)
     , law_(options.penalty.law(options.penalty))
+    , friction_(options.friction.acts() ? options.friction.law(options.friction) : nullptr)
     , passes_(make_passes(slave, master, options))
     , broad_search_(passes_.front().slave(), passes_.front().master())
-    , penalty_(options.penalty.from_step ? 0. : options.penalty.value)
+    , penalty_(options.penalty.value)
   {
   }
 

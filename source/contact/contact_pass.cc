@@ -360,7 +360,7 @@ namespace vfife
                            const SurfaceInteraction &interaction,
                            const double              look_ahead)
   {
-    has_friction_ = interaction.friction > 0. && mode_ != FrictionMode::none;
+    has_friction_ = interaction.friction != nullptr && mode_ != FrictionMode::none;
     step_         = 2. * look_ahead;
     for (Pair &pair : pairs_)
       pair.anchors.resize(has_friction_ ? pair.points.size() : 0);

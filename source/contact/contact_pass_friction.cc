@@ -37,7 +37,7 @@ namespace vfife
                                      p,
                                      slave_point(point.slave_facet, point.rule_point),
                                      normal);
-            const Vector3      way     = slip_way(point, normal, basis);
+            const Vector3      way     = slip_way(point, normal, basis, step_);
             const Vector3      stretch = master_.state(p.facet).position(p.xi, p.eta) - way -
                                     master_.state(anchor.facet).position(anchor.xi, anchor.eta);
             pair.released += anchor.energy / (anchor.elastic * anchor.elastic) * stretch.dot(way);
@@ -57,10 +57,11 @@ namespace vfife
 
   Vector3 ContactPass::slip_way(const ListedPoint  &point,
                                 const Vector3      &normal,
-                                const TangentBasis &basis) const
+                                const TangentBasis &basis,
+                                const double        time) const
   {
     Vector3 way = Vector3::Zero();
-    if (!(step_ > 0.))
+    if (!(time > 0.))
       return way;
     // The velocity on which a tangential force and what balances its moment work.
     const auto    weights = bilinear_weights(point.projection.xi, point.projection.eta);
@@ -75,7 +76,7 @@ namespace vfife
           speed += shape[k] * direction.dot(slave_.velocity(slave[k])) +
                    (basis.couple_share(direction, k) * normal - weights[k] * direction)
                      .dot(master_.velocity(master[k]));
-        way += step_ * speed * direction;
+        way += time * speed * direction;
       }
     return way;
   }
@@ -96,7 +97,7 @@ namespace vfife
     const Projection &p = point.projection;
     if (!anchor.holds())
       {
-        const Vector3 way = mode_ == FrictionMode::follows ? slip_way(point, normal, basis)
+        const Vector3 way = mode_ == FrictionMode::follows ? slip_way(point, normal, basis, step_)
                                                            : Vector3(Vector3::Zero());
         anchor.facet      = p.facet;
         anchor.xi         = p.xi - basis.dual_xi.dot(way);
@@ -106,12 +107,16 @@ namespace vfife
                            master_.state(anchor.facet).position(anchor.xi, anchor.eta);
     displacement -= normal.dot(displacement) * normal;
 
-    // 2. Spring and slider.
+    // 2. Spring and slider. At rest and in a search for an equilibrium nothing slips.
     const double k =
       std::min(stiffness_of(point.slave_facet, point.rule_point) * interaction.tangential_penalty,
                interaction.tangential_limit);
+    const FrictionLaw   &law   = *interaction.friction;
+    const double         speed = law.depends_on_speed() && mode_ == FrictionMode::follows
+                                   ? slip_way(point, normal, basis, 1.).norm()
+                                   : 0.;
     const SliderResponse response =
-      slide(displacement.norm(), interaction.friction * pressure, k, anchor.elastic);
+      slide(law, {pressure, speed, k, anchor.elastic}, displacement.norm());
     const Vector3 elastic = response.elastic_part * displacement;
     result.energy += response.energy * area;
 

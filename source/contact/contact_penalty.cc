@@ -66,7 +66,7 @@ namespace vfife
     // A node of the area A is critically damped on its spring eps A by c A = 2 sqrt(eps A m).
     SurfaceInteraction interaction{*law_, penalty_};
     interaction.damping            = 2. * options_.gap_damping_ratio() * std::sqrt(penalty_ * mass);
-    interaction.friction           = options_.friction.coefficient;
+    interaction.friction           = friction_.get();
     interaction.tangential_penalty = options_.friction.stiffness_ratio * penalty_;
     interaction.tangential_limit   = tangential_limit_;
     return interaction;

@@ -3,7 +3,6 @@
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>
 #include <vfife/model/model.h>
-#include <vfife/model/state.h>
 #include <vfife/reduced/pair_readings.h>
 
 #include <algorithm>
@@ -183,22 +182,5 @@ namespace vfife
       return coefficients[first];
     const std::size_t at = first + 2 * diameters - 1;
     return {coefficients[at], -coefficients[at + 1]};
-  }
-
-  ProbeValue
-  make_probe_value(const Model &model, const Probe &probe, const std::array<double, 9> &components)
-  {
-    // Components are along the axes of the body frame as the probe's copy in sector 0 sees them;
-    // its axes r, theta, z turn with the sector.
-    const Body   &body = model.bodies[probe.body];
-    const Matrix3 axes =
-      compute_cylindrical_axes(body,
-                               body.node_positions()[body.structure().first_copy(probe.node)]);
-    const Eigen::Map<const Stress> stress(components.data() + 3);
-    ProbeValue                     value;
-    value.displacement = axes.transpose() * Eigen::Map<const Vector3>(components.data());
-    value.von_mises    = von_mises(stress);
-    Eigen::Map<Stress>(value.stress.data()) = turn_stress(stress, axes);
-    return value;
   }
 } // namespace vfife

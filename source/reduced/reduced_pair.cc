@@ -36,19 +36,18 @@ namespace vfife
     if (!model.transmission || model.contacts.empty())
       throw InputError("a reduced pair needs a gear pair with contact");
     for (const ContactPair &pair : model.contacts)
-      if (pair.options.damping_ratio > 0 || pair.options.friction.coefficient > 0)
+      if (pair.options.damping_ratio > 0 || pair.options.friction.acts())
         throw InputError("contact \"" + pair.side +
                          "\": a reduced pair has no friction and no damping of the contact; set "
                          "Contact/friction coefficient and Contact/damping ratio to 0");
   }
 
-  ReducedPair::ReducedPair(const Model               &model,
-                           std::vector<ReducedBody>   bodies,
-                           const std::vector<double> &penalties,
-                           const ReducedPairOptions  &options)
+  ReducedPair::ReducedPair(const Model              &model,
+                           std::vector<ReducedBody>  bodies,
+                           const ReducedPairOptions &options)
     : model_(require_pair(model, bodies))
     , options_(options)
-    , pair_(model, penalties)
+    , pair_(model)
     , springs_(make_bearing_springs(model, bodies))
     , load_(torque_on(model, model.transmission->driven, 0.))
   {

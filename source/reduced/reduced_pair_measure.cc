@@ -2,6 +2,7 @@
 // What is measured of a ReducedPair.
 #include "reduced_pair_parts.h"
 
+#include <vfife/model/body_frame.h>
 #include <vfife/model/state.h>
 #include <vfife/reduced/pair_readings.h>
 
@@ -204,7 +205,16 @@ namespace vfife
         for (unsigned int c = 0; c < values.size(); ++c)
           values[c] = read(reduced.find_reading(reading::of_probe(probe.name, c)),
                            probe.node / reduced.nodes_per_sector);
-        measured.push_back(make_probe_value(model_, probe, values));
+        // Along the body's axes as the probe's copy in sector 0 sees them; r, theta, z turn with
+        // the sector.
+        const Body   &bulk = model_.bodies[probe.body];
+        const Matrix3 axes =
+          compute_cylindrical_axes(bulk,
+                                   bulk.node_positions()[probe.node % reduced.nodes_per_sector]);
+        measured.push_back(
+          make_probe_value(axes.transpose() * Eigen::Map<const Vector3>(values.data()),
+                           Eigen::Map<const Stress>(values.data() + 3),
+                           {axes}));
       }
     return measured;
   }

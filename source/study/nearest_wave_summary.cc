@@ -25,10 +25,9 @@ namespace vfife
 {
   namespace
   {
-    std::optional<NearestWave> find_wave_of_run(const Model               &model,
-                                                const DynamicsOptions     &dynamics,
-                                                const std::vector<double> &penalties,
-                                                const Communicator        &communicator)
+    std::optional<NearestWave> find_wave_of_run(const Model           &model,
+                                                const DynamicsOptions &dynamics,
+                                                const Communicator    &communicator)
     {
       require_reducible(model);
       FemOptions fem;
@@ -55,7 +54,6 @@ namespace vfife
       const ModalDamping damping{dynamics.mass_damping(), dynamics.mesh_damping};
       ReducedPair        pair(model,
                        std::move(bodies),
-                       penalties,
                        {1. / (frequency * options.steps_per_mesh), damping.modes, damping.turn});
       return find_nearest_wave(model, damping, pair);
     }
@@ -95,17 +93,16 @@ namespace vfife
     log.line("  waves in contact found in ", duration_text(seconds_since(start)));
   }
 
-  void report_nearest_wave_of_run(const Model               &model,
-                                  const DynamicsOptions     &dynamics,
-                                  const std::vector<double> &penalties,
-                                  const Communicator        &communicator,
-                                  Log                       &log,
-                                  RunSummary                &summary)
+  void report_nearest_wave_of_run(const Model           &model,
+                                  const DynamicsOptions &dynamics,
+                                  const Communicator    &communicator,
+                                  Log                   &log,
+                                  RunSummary            &summary)
   {
     if (!model.transmission || !model.transmission->has_constant_rate() ||
         model.transmission->driver_rate == 0)
       return;
-    report_nearest_wave([&] { return find_wave_of_run(model, dynamics, penalties, communicator); },
+    report_nearest_wave([&] { return find_wave_of_run(model, dynamics, communicator); },
                         log,
                         summary);
   }

@@ -48,7 +48,6 @@ namespace
   ContactOptions hard_options()
   {
     ContactOptions options;
-    options.penalty.from_step    = false;
     options.damping_ratio        = 0.2;
     options.friction.coefficient = 0.3;
     return options;

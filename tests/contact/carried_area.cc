@@ -23,12 +23,11 @@ namespace
                               const double                edge_fading = 0.)
   {
     ContactOptions options;
-    options.discretization    = discretization;
-    options.surface           = ContactSurfaceKind::flat_facets;
-    options.edge_fading       = edge_fading;
-    options.depth_limit       = 10. * depth;
-    options.penalty.from_step = false;
-    options.penalty.value     = penalty;
+    options.discretization = discretization;
+    options.surface        = ContactSurfaceKind::flat_facets;
+    options.edge_fading    = edge_fading;
+    options.depth_limit    = 10. * depth;
+    options.penalty.value  = penalty;
     return options;
   }
 

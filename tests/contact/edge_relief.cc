@@ -15,7 +15,6 @@ namespace
   ContactOptions options_for(const double width, const double depth)
   {
     ContactOptions options;
-    options.penalty.from_step = false;
     options.penalty.value     = penalty;
     options.depth_limit       = 0.5;
     options.edge_fading       = 0.; // the relief alone

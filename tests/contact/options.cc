@@ -35,11 +35,10 @@ namespace
     for (const unsigned int n_moving : {1u, 2u})
       {
         PenaltyOptions    penalty(n_moving);
-        const std::string name = n_moving == 1 ? "wall: " : "two bodies: ";
-        penalty.fraction       = 1.5;
-        double       dt        = penalty.vote_on_step(step, mass_per_area);
-        const double spring    = penalty.value_for_step(mass_per_area, dt) / mass_per_area;
-        check_close(name + "frequency at the voted step, penalty from the step",
+        const std::string name   = n_moving == 1 ? "wall: " : "two bodies: ";
+        double            dt     = penalty.vote_of_stick(step);
+        const double      spring = PenaltyOptions::stick_value(mass_per_area, dt) / mass_per_area;
+        check_close(name + "frequency at the voted step, points that stick",
                     (4. / (step * step) + n_moving * spring) * dt * dt,
                     4.,
                     1e-14);
@@ -47,9 +46,8 @@ namespace
                     penalty.mass_per_area_for(spring * mass_per_area, dt),
                     mass_per_area,
                     1e-23);
-        penalty.from_step = false;
-        penalty.value     = 2e5;
-        dt                = penalty.vote_on_step(step, mass_per_area);
+        penalty.value = 2e5;
+        dt            = penalty.vote_on_step(step, mass_per_area);
         check_close(name + "frequency at the voted step, given penalty",
                     (4. / (step * step) + n_moving * penalty.value / mass_per_area) * dt * dt,
                     4.,
@@ -60,12 +58,6 @@ namespace
                     1.6 * 1.6,
                     1e-14);
       }
-    // A wall bears twice the fraction of two bodies.
-    dealii::ParameterHandler prm;
-    PenaltyOptions           wall(1);
-    wall.declare(prm);
-    prm.parse_input_from_string("set penalty fraction = 2\n");
-    check_close("wall: fraction of 2", wall.fraction, 2., 0.);
   }
 } // namespace
 
@@ -77,7 +69,6 @@ int main()
   prm.parse_input_from_string("set discretization = two pass\n"
                               "set surface = flat facets\n"
                               "set points per facet = 4\n"
-                              "set penalty from step = no\n"
                               "set penalty = 4e6\n"
                               "set friction coefficient = 0.08\n"
                               "set search skin = 50 um\n");
@@ -87,10 +78,8 @@ int main()
   check_close("friction coefficient", options.friction.coefficient, 0.08, 0.);
   check_close("search skin [mm]", options.search_skin, 0.05, 1e-15);
   check_close("edge fading keeps its default", options.edge_fading, 0.15, 0.);
-  check_close("given penalty", options.penalty.value_for_step(1e-9, 1e-7), 4e6, 0.);
-  options.penalty.from_step = true;
-  options.penalty.fraction  = 0.5;
-  check_close("penalty from the step", options.penalty.value_for_step(2e-9, 5e-8), 4e5, 1e-4);
+  check_close("given penalty", options.penalty.value, 4e6, 0.);
+  check_close("stiffness of points that stick", PenaltyOptions::stick_value(2e-9, 5e-8), 4e5, 1e-4);
 
   check("points across a contact: four, at least 3, at most 12 per facet",
         points_across(1.7, .754) == 10 && points_across(.1, .754) == 3 &&
@@ -98,32 +87,34 @@ int main()
   check("no points are refused",
         refused([](ContactOptions &o) { o.points_per_facet.number = 0; },
                 "Contact/points per facet"));
-  check("an unstable fraction is refused",
-        refused([](ContactOptions &o) { o.penalty.fraction = 3.; }, "Contact/penalty fraction"));
-  check("so is one that leaves a step of a tenth",
-        refused([](ContactOptions &o) { o.penalty.fraction = 1.98; }, "Contact/penalty fraction"));
+  check("a static friction coefficient of Coulomb's law is refused",
+        refused([](ContactOptions &o) { o.friction.static_coefficient = 0.2; },
+                "Contact/static friction coefficient"));
+  const auto decay = [](ContactOptions &o) {
+    o.friction.law                = friction_laws().back().second;
+    o.friction.coefficient        = 0.1;
+    o.friction.static_coefficient = 0.2;
+    o.friction.decay_speed        = 50.;
+  };
+  check("decaying friction", !refused(decay, "Contact/friction decay speed"));
+  check("friction that grows with the slip is refused",
+        refused(
+          [&](ContactOptions &o) {
+            decay(o);
+            o.friction.static_coefficient = 0.05;
+          },
+          "Contact/static friction coefficient"));
+  check("a decay without its speed is refused",
+        refused(
+          [&](ContactOptions &o) {
+            decay(o);
+            o.friction.decay_speed = 0.;
+          },
+          "Contact/friction decay speed"));
   check("a negative penalty is refused",
-        refused(
-          [](ContactOptions &o) {
-            o.penalty.from_step = false;
-            o.penalty.value     = -1.;
-          },
-          "Contact/penalty"));
-  check("no penalty is refused",
-        refused(
-          [](ContactOptions &o) {
-            o.penalty.from_step = false;
-            o.penalty.value     = 0.;
-          },
-          "Contact/penalty"));
-  check("unless the case derives it",
-        !refused(
-          [](ContactOptions &o) {
-            o.penalty.from_step  = false;
-            o.penalty.value      = 0.;
-            o.penalty.derivation = "of the pair";
-          },
-          "Contact/penalty"));
+        refused([](ContactOptions &o) { o.penalty.value = -1.; }, "Contact/penalty"));
+  check("an open penalty is accepted",
+        !refused([](ContactOptions &o) { o.penalty.value = 0.; }, "Contact/penalty"));
   // Springs of 5 (m/A)/dt^2: two and forty of them in dynamics/impact.
   check_close("penalty that rattles", PenaltyOptions::rattling_value(2e-9, 5e-8), 4e6, 1e-3);
   check_vote();

@@ -73,7 +73,6 @@ namespace
     ContactOptions options;
     options.edge_fading =
       0.; // a point with weight zero would carry no pressure and not be reported
-    options.penalty.from_step = false;
     Contact         contact(slave.surface, master.surface, options);
     SurfaceGeometry slave_geometry(slave.surface, options.surface),
       master_geometry(master.surface, options.surface);

@@ -24,7 +24,6 @@ namespace
     options.surface                  = ContactSurfaceKind::flat_facets;
     options.depth_limit              = 0.2;
     options.search_skin              = 0.05;
-    options.penalty.from_step        = false;
     options.penalty.value            = penalty;
     options.friction.coefficient     = mu;
     options.friction.stiffness_ratio = ratio;

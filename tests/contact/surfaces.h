@@ -208,8 +208,7 @@ namespace test_surfaces
   inline ContactOptions with_penalty(const double penalty)
   {
     ContactOptions options;
-    options.penalty.from_step = false;
-    options.penalty.value     = penalty;
+    options.penalty.value = penalty;
     return options;
   }
 

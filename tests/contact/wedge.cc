@@ -23,7 +23,6 @@ namespace
   {
     ContactOptions options;
     options.surface              = surface;
-    options.penalty.from_step    = false;
     options.penalty.value        = penalty;
     options.friction.coefficient = friction;
 

@@ -75,11 +75,10 @@ namespace
         block.velocity[2]              = b == 0 ? -1e5 : 0;
         model.add_body(std::move(block));
       }
-    ContactPair pair         = contact_of("faces", "z-", "z+", ContactSurfaceKind::flat_facets);
-    pair.options.edge_fading = 0;
-    pair.options.penalty.from_step = false;
-    pair.options.penalty.value     = 1;
-    pair.options.depth_limit       = 1;
+    ContactPair pair           = contact_of("faces", "z-", "z+", ContactSurfaceKind::flat_facets);
+    pair.options.edge_fading   = 0;
+    pair.options.penalty.value = 1;
+    pair.options.depth_limit   = 1;
     pair.options.penetration_limit = 0.1;
     model.contacts.push_back(pair);
     const std::string message = fail(model);

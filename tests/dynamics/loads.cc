@@ -6,7 +6,6 @@
 #include "../tests.h"
 
 #include <vfife/base/process/communicator.h>
-#include <vfife/contact/law/facet_penalty.h>
 #include <vfife/dynamics/loads/nodal_loads.h>
 #include <vfife/dynamics/loads/rigid_walls.h>
 #include <vfife/dynamics/loads/torque_loads.h>
@@ -315,26 +314,21 @@ namespace
     const auto n =
       model.add_body({"bar", make_block(Vector3(8., 2., 2.), {{4, 2, 2}}), Material()});
     RigidWall wall;
-    wall.nodes            = model.bodies[n].node_set("x-");
-    wall.point            = Vector3(-5., 100., 100.);
-    wall.normal           = Vector3(.8, .6, 0.);
-    wall.penalty.fraction = .25;
-    for (const bool from_step : {true, false})
+    wall.nodes  = model.bodies[n].node_set("x-");
+    wall.point  = Vector3(-5., 100., 100.);
+    wall.normal = Vector3(.8, .6, 0.);
+    for (const double value : {3e4, 2e4})
       {
-        wall.penalty.from_step = from_step;
-        wall.penalty.value     = 2e4;
+        wall.penalty.value = value;
         model.walls.push_back(wall);
       }
-    // Inner node over its area: a cell of 2 x 1 x 1 mm has an eighth at each corner.
-    const double mass_per_area = 7.85e-9, dt = 2e-7;
     // The end face lies 0.02 mm behind the wall, parallel to it.
     const Matrix3 turn  = rotation_about(Vector3::UnitZ(), std::atan2(.6, .8));
     const Vector3 start = wall.point - .02 * wall.normal;
     Moved      moved(std::move(model), [&](const Vector3 &X) { return Vector3(start + turn * X); });
     RigidWalls walls(moved.model, moved.partition(), moved.communicator);
-    walls.set_penalties(dt);
     walls.add_forces(moved.positions, moved.forces);
-    const double penalty = .25 * mass_per_area / (dt * dt) + 2e4, force = penalty * .02 * 4.;
+    const double penalty = 5e4, force = penalty * .02 * 4.;
     check_below("walls: penalty times depth times area, along the normal [N]",
                 (moved.resultant() - force * wall.normal).norm(),
                 1e-9 * force);
@@ -345,24 +339,22 @@ namespace
                 1.,
                 1e-10);
     check_close("walls: penetration [mm]", results.penetration, .02, 1e-12);
-    // Pressure bears any step; springs that stick take their fraction: 4/dt^2 (1 - f/4) =
-    // 4/step^2.
+    // Pressure bears any step; springs that stick take their half: 4/dt^2 (1 - f/4) = 4/step^2.
     const double step = 1e-6;
     check_close("walls: step", walls.vote_on_step(step) / step, 1., 1e-15);
     moved.model.walls[0].friction.coefficient = .1;
     const RigidWalls rough(moved.model, moved.partition(), moved.communicator);
     check_close("walls with friction: step",
                 rough.vote_on_step(step) / step,
-                std::sqrt(1. - .25 / 4.),
+                std::sqrt(1. - .5 / 4.),
                 1e-12);
 
     // By default the penalty is that of the facets, 5 E/(1 - nu^2)/h with h = 1 mm, whatever the
     // step.
-    derive_from_facets(moved.model.walls[0].penalty);
     moved.model.walls.pop_back();
+    moved.model.walls[0].penalty = PenaltyOptions(1);
     RigidWalls     stiff(moved.model, moved.partition(), moved.communicator);
     const Material steel;
-    stiff.set_penalties(dt);
     stiff.add_forces(moved.positions, moved.forces);
     check_close("walls: force with the penalty of the facets",
                 stiff.collect_results().force * (1. - steel.poissons_ratio * steel.poissons_ratio) /

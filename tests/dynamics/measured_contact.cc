@@ -37,7 +37,6 @@ namespace
         pair.master_body                     = 0;
         pair.options.points_per_facet.number = 2; // of equal weights
         pair.options.edge_fading             = 0.;
-        pair.options.penalty.from_step       = false;
         pair.options.penalty.value           = penalty;
         model.contacts.push_back(pair);
       }

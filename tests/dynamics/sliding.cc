@@ -27,6 +27,7 @@ namespace
     double       penalty = 0.; ///< [N/mm^3]; 0: the default
     double       slope   = 0.; ///< of the floor, falling along x [deg]
     double       speed   = 0.; ///< at the start, along x [mm/s]
+    std::string  entries = {}; ///< of the contact
 
     std::string name() const
     {
@@ -82,7 +83,8 @@ namespace
              << "  subsection Constraint rest\n    set kind = fixed\n    set body = floor\n"
                 "    set nodes = all\n  end\n";
       text << "  subsection Contact face\n    set friction coefficient = " << mu
-           << "\n    set penalty = " << penalty << "\n";
+           << "\n    set penalty = " << penalty << "\n"
+           << entries;
       if (on_wall)
         text << "    set kind = wall\n    set body = block\n    set nodes = z-\n"
                 "    set wall normal = "
@@ -229,6 +231,40 @@ namespace
     check_below(example.name() + "stops, energy error", found.error, 1e-3);
   }
 
+  /** Thrown along the floor with friction that grows as it slows down: the way is the integral of
+   * v dv/(g mu(v)). */
+  void stops_by_decay(Case example, const std::string &entries)
+  {
+    constexpr double   mu_s = 0.5, decay = 500., g = press / mass; // [-], [mm/s], [mm/s^2]
+    constexpr unsigned n   = 1000;
+    double             way = 0.;
+    example.speed          = 2000.;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const double v = example.speed * (i + .5) / n;
+        way += v * example.speed / n / (g * (mu + (mu_s - mu) * std::exp(-v / decay)));
+      }
+    const auto entries_for = [&](const double at_rest) {
+      std::ostringstream text;
+      text << "    set friction law = exponential decay\n    set static friction coefficient = "
+           << at_rest << "\n    set friction decay speed = " << decay << " mm/s\n"
+           << entries;
+      return text.str();
+    };
+    const auto thrown = [&](const std::string &of_contact, const double time) {
+      example.entries = of_contact;
+      return run(example, {acceleration_load(-g)}, 0., time);
+    };
+    const double      time  = 4. * way / example.speed;
+    const Run         found = thrown(entries_for(mu_s), time);
+    const std::string name =
+      example.name() + "decaying friction" + (entries.empty() ? "" : ", explicit contact") + ", ";
+    check_close(name + "way over the integral of v/(g mu(v))", found.way[0] / way, 1., 0.01);
+    check_below(name + "energy error", found.error, 1e-3);
+    check(name + "mu_s = mu_k: Coulomb's friction to the last digit",
+          thrown(entries_for(mu), .2 * time).ways == thrown(entries, .2 * time).ways);
+  }
+
   /** Pushed by less than friction holds: it stays, whatever vibrates. */
   void sticks(const Case &example)
   {
@@ -268,6 +304,9 @@ int main(int argc, char **argv)
         pushed({on_wall, safety, 4, 5000.}, Vector3::UnitX());
       slides_down({on_wall});
       stops({on_wall});
+      stops_by_decay({on_wall}, "");
+      if (!on_wall)
+        stops_by_decay({on_wall}, "    set integration = explicit\n");
       sticks({on_wall});
     }
   return 0;

@@ -4,7 +4,6 @@
 #include "../tests.h"
 #include "one_solver.h"
 
-#include <vfife/contact/law/facet_penalty.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/mesh/boundary_surface.h>
 
@@ -14,8 +13,7 @@ namespace
 {
   constexpr double radius = 10, gap = 1e-3, speed = 2e4; // [mm], [mm], [mm/s]
 
-  /** @p penalty [N/mm^3] of implicit contact; 0: explicit, from the step. */
-  Model make_model(const double penalty)
+  Model make_model(const ContactTime time)
   {
     Model model;
     Body  ball("ball", make_sphere(radius, {{12, 5}}), Material());
@@ -33,21 +31,16 @@ namespace
     model.contacts.push_back(
       contact_of("impact", "outer", "z+", ContactSurfaceKind::smooth_patches));
     ContactOptions &options = model.contacts.back().options;
-    options.time            = penalty > 0 ? ContactTime::implicit : ContactTime::explicit_;
-    if (penalty > 0)
-      {
-        options.penalty.from_step = false;
-        options.penalty.value     = penalty;
-      }
+    options.time            = time;
+    options.penalty.value   = 4.4e5; // [N/mm^3]
     return model;
   }
 
-  void fall(const double penalty)
+  void fall(const ContactTime time)
   {
-    const Model     model   = make_model(penalty);
+    const Model     model   = make_model(time);
     DynamicsOptions options = undamped();
-    // The penalty of the step is as high as Hertz's contact needs it with the step of the elements.
-    if (!(penalty > 0))
+    if (time == ContactTime::explicit_)
       options.step_bound = StepBound::element;
     OneSolver run(model, options);
 
@@ -91,7 +84,9 @@ namespace
                 1.,
                 0.005); // waves keep the rest
     check_close("impulse over change of momentum", impulse / (mass * (speed + velocity)), 1., 1e-6);
-    check_below("energy residual over that of flight", energy, penalty > 0 ? 1e-6 : 1e-4);
+    check_below("energy residual over that of flight",
+                energy,
+                time == ContactTime::implicit ? 1e-6 : 1e-4);
     // The plane is held, so all of the flight's energy takes part: the error is this residual, also
     // at the first touch, when nothing else has been exchanged yet.
     check_close("largest energy error over the residual", error / energy, 1., 1e-9);
@@ -100,14 +95,13 @@ namespace
 
   void fall_explicitly()
   {
-    fall(0);
+    fall(ContactTime::explicit_);
   }
 
-  /** With the penalty of the explicit ones at a step that these would not bear, on a plane whose
-   * nodes do not give way. */
+  /** At a step that explicit springs would not bear. */
   void fall_implicitly()
   {
-    fall(4.4e5);
+    fall(ContactTime::implicit);
   }
 
   /**
@@ -202,7 +196,6 @@ namespace
         }
     model.contacts.push_back(
       contact_of("impact", "outer", "outer", ContactSurfaceKind::smooth_patches));
-    derive_from_facets(model.contacts.back().options.penalty);
 
     OneSolver      run(model, undamped());
     const Material steel;

@@ -17,13 +17,12 @@ int main(int argc, char **argv)
   Body         block("block", make_block(Vector3(width, width, width), {{1, 1, 1}}), Material());
   block.velocity[0] = -speed;
   RigidWall wall;
-  wall.name              = "wall";
-  wall.nodes             = block.node_set("x-");
-  wall.point[0]          = -1e-3;
-  wall.penalty.from_step = false;
-  wall.penalty.value     = penalty;
-  wall.penalty.law       = &make_contact_law<ExponentialLaw>;
-  const double energy    = 0.5 * block.mass() * speed * speed;
+  wall.name           = "wall";
+  wall.nodes          = block.node_set("x-");
+  wall.point[0]       = -1e-3;
+  wall.penalty.value  = penalty;
+  wall.penalty.law    = &make_contact_law<ExponentialLaw>;
+  const double energy = 0.5 * block.mass() * speed * speed;
   model.add_body(std::move(block));
   model.walls.push_back(wall);
 

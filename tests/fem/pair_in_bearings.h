@@ -14,9 +14,15 @@
 #include <memory>
 #include <vector>
 
+/** Steel a thousand times as stiff on a soft contact: bodies that do not deform. */
+constexpr char rigid_steel[]   = "subsection Material steel\n set Young's modulus = 2.06e8\nend\n"
+                                 "subsection Contact\n set penalty = 3e4\nend\n";
+constexpr char stiff_contact[] = "subsection Contact\n set penalty = 6e5\nend\n";
+
 /** A coarse pair without a web, 800 N m, both bodies held at the underside of the rim; @p more:
  * sections of a parameter file. */
-inline vfife::Model make_held_pair(const vfife::Communicator &world, const std::string &more = "")
+inline vfife::Model make_held_pair(const vfife::Communicator &world,
+                                   const std::string         &more = stiff_contact)
 {
   return make_gear_model("in_bearings.prm",
                          few_teeth("set web = none", "set rim rows = 2") +
@@ -25,9 +31,6 @@ inline vfife::Model make_held_pair(const vfife::Communicator &world, const std::
                            more,
                          world);
 }
-
-/** Steel a thousand times as stiff: bodies that do not deform. */
-constexpr char rigid_steel[] = "subsection Material steel\n set Young's modulus = 2.06e8\nend\n";
 
 /** The nodes of @p nodes in the third of their length towards the apex, or in the last one. */
 inline std::vector<unsigned int>

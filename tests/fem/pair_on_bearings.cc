@@ -190,7 +190,7 @@ namespace
     Model            model = make_softly_held(world);
     const FemOptions fem   = lumped_masses();
     Compliance       compliance(model, fem, false, world);
-    PairEquilibrium  equilibrium(model, compliance, {3e4, 3e4}, {0.});
+    PairEquilibrium  equilibrium(model, compliance, {0.});
     const auto       result = equilibrium.solve(0., 1.);
     const RigidPair  hand(model,
                          ring_centres(compliance),
@@ -255,7 +255,7 @@ namespace
         for (Body &body : model.bodies)
           body.rate = std::copysign(rate, body.rate);
         Compliance      compliance(model, fem, rate > 0, world);
-        PairEquilibrium equilibrium(model, compliance, {3e4, 3e4}, {0.});
+        PairEquilibrium equilibrium(model, compliance, {0.});
         const auto      result      = equilibrium.solve(0., 1.);
         const auto      frequencies = [&](const Eigen::MatrixXd &stiffness) {
           return RigidPair(model,
@@ -294,7 +294,7 @@ namespace
     for (const bool spinning : {false, true})
       {
         Compliance      compliance(model, lumped_masses(), spinning, world);
-        PairEquilibrium equilibrium(model, compliance, {3e4, 3e4}, {0.});
+        PairEquilibrium equilibrium(model, compliance, {0.});
         const auto      result = equilibrium.solve(0., 1.);
         slopes.push_back(transmission_errors(compliance.discretization(), result).slope);
         check("spinning bodies: few iterations", result.iterations <= 8);
@@ -314,7 +314,7 @@ namespace
       {linear_bearing(front), linear_bearing(back), linear_bearing(back), linear_bearing(front)},
       5e12);
     Compliance      compliance(model, lumped_masses(), false, world);
-    PairEquilibrium equilibrium(model, compliance, {3e4, 3e4}, {0.});
+    PairEquilibrium equilibrium(model, compliance, {0.});
     double          before = 0;
     for (const double factor : {.1, .01})
       {
@@ -336,7 +336,7 @@ namespace
     {
       const Model     model = make_held_pair(world, rigid_steel);
       Compliance      compliance(model, lumped_masses(), false, world);
-      PairEquilibrium equilibrium(model, compliance, {3e4, 3e4}, {0.});
+      PairEquilibrium equilibrium(model, compliance, {0.});
       const auto      result = equilibrium.solve(0., 1.);
       const Errors    errors = transmission_errors(compliance.discretization(), result);
       ideal                  = errors.loaded - errors.unloaded;
@@ -348,7 +348,7 @@ namespace
         const auto law   = linear_bearing(bearing_stiffness(stiffness, stiffness, 1e3 * stiffness));
         hang_in_bearings(model, {law, law, law, law}, 1e3 * stiffness);
         Compliance      compliance(model, lumped_masses(), false, world);
-        PairEquilibrium equilibrium(model, compliance, {3e4, 3e4}, {0.});
+        PairEquilibrium equilibrium(model, compliance, {0.});
         const auto      result = equilibrium.solve(0., 1.);
         const Errors    errors = transmission_errors(compliance.discretization(), result);
         windup.push_back(errors.loaded - errors.unloaded);
@@ -388,7 +388,7 @@ namespace
     const Matrix5             in_mean = bearing_stiffness(3.5e5, 3e5, 2e8);
     Compliance                compliance(model, lumped_masses(), false, world);
     const std::vector<double> turns = {0., .5 * pi};
-    PairEquilibrium           equilibrium(model, compliance, {3e4, 3e4}, turns);
+    PairEquilibrium           equilibrium(model, compliance, turns);
     for (const double turn : turns)
       {
         const auto      result = equilibrium.solve(turn, 1.);

@@ -23,7 +23,7 @@ int main(int argc, char **argv)
   hang_in_bearings(model, {law, law, law, law}, 5e8);
   const auto find = [&model](const Communicator &communicator) {
     Compliance      compliance(model, lumped_masses(), true, communicator);
-    PairEquilibrium equilibrium(model, compliance, {6e5, 6e5}, {.1});
+    PairEquilibrium equilibrium(model, compliance, {.1});
     return equilibrium.solve(.1, 1.);
   };
   const PairEquilibriumResult together = find(world), single = find(alone);

@@ -82,7 +82,7 @@ namespace
       Compliance compliance(model, lumped_masses(), true, communicator, factorized);
       check(name + ": sectors or bodies",
             compliance.by_sectors() == (factorized == Factorized::sectors));
-      PairEquilibrium equilibrium(model, compliance, {6e5, 6e5}, {.1});
+      PairEquilibrium equilibrium(model, compliance, {.1});
       return equilibrium.solve(.1, 1.);
     };
     const PairEquilibriumResult sectors = find(Factorized::sectors),

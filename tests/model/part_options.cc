@@ -184,7 +184,7 @@ namespace
     const std::string bodies = "set slave body = ring\nset slave surface = outer\n"
                                "set master body = bar\nset master surface = x-\n";
     const ContactPair pair =
-      make_model(contact(bodies + "set penalty from step = no\nset penalty = 2e4\n"
+      make_model(contact(bodies + "set penalty = 2e4\n"
                                   "set damping ratio = 0.1\nset edge fading = 0\n"))
         .contacts.at(0);
     check("contact of two bodies",
@@ -192,8 +192,8 @@ namespace
             pair.master_body == 0 && pair.master_surface == "x-");
     check("its options",
           pair.options.surface == ContactSurfaceKind::smooth_patches &&
-            pair.options.penalty.value_for_step(1., 1.) == 2e4 &&
-            pair.options.damping_ratio == .1 && pair.options.edge_fading == 0.);
+            pair.options.penalty.value == 2e4 && pair.options.damping_ratio == .1 &&
+            pair.options.edge_fading == 0.);
 
     FacetSurface corner;
     corner.positions = {Vector3(0, 0, 0),
@@ -209,16 +209,15 @@ namespace
 
     const Model      model = make_model(contact(
       of_bar + "set kind = wall\nset nodes = z-\nset where = x > 8.5\nset wall point = 1, 2, -0.5\n"
-                    "set wall normal = 0, 0, 5\nset penalty from step = no\nset penalty = 3e4 N/mm^3\n"
-                    "set penalty fraction = 0.25\nset friction coefficient = 0.2\n"
+                    "set wall normal = 0, 0, 5\nset penalty = 3e4 N/mm^3\n"
+                    "set friction coefficient = 0.2\n"
                     "set tangential stiffness ratio = 0.5\n"));
     const RigidWall &wall  = model.walls.at(0);
     check("contact with a wall",
           model.contacts.empty() && wall.name == "touch" && wall.body == 0 &&
             wall.nodes.size() == 10 && wall.point == Vector3(1., 2., -.5) &&
             wall.normal == Vector3(0., 0., 1.));
-    check("its penalty",
-          !wall.penalty.from_step && wall.penalty.value == 3e4 && wall.penalty.fraction == .25);
+    check("its penalty", wall.penalty.value == 3e4);
 
     check("its friction", wall.friction.coefficient == .2 && wall.friction.stiffness_ratio == .5);
 

@@ -17,7 +17,7 @@ namespace pair_of_bodies
 {
   using namespace vfife;
 
-  constexpr double penalty = 3e5; // [N/mm^3]
+  constexpr char given_penalty[] = "subsection Contact\n set penalty = 3e5\nend\n";
 
   inline std::vector<ReducedBody> reduce(const Model        &model,
                                          const double        cutoff,
@@ -42,10 +42,7 @@ namespace pair_of_bodies
   inline ReducedPair
   make_pair(const Model &model, std::vector<ReducedBody> bodies, const ReducedPairOptions &options)
   {
-    return ReducedPair(model,
-                       std::move(bodies),
-                       std::vector<double>(model.contacts.size(), penalty),
-                       options);
+    return ReducedPair(model, std::move(bodies), options);
   }
 
   inline State measure(ReducedPair &pair)

@@ -22,7 +22,8 @@ namespace
   {
     std::ofstream(name + ".prm") << coarse_pair("set web = conical", coarse_web)
                                  << "subsection Operation\n set speed = " << speed
-                                 << "\n set torque = " << torque << "\n set end time = 1 ms\nend\n";
+                                 << "\n set torque = " << torque << "\n set end time = 1 ms\nend\n"
+                                 << given_penalty;
     return make_gear_model(name + ".prm", world);
   }
 
@@ -44,10 +45,7 @@ namespace
     fem.mass = MassKind::lumped;
     Compliance                  compliance(model, fem, false, world);
     const std::vector<double>   turns = {0., .5 * 2. * pi / 27., 2. * pi / 27.};
-    PairEquilibrium             whole(model,
-                          compliance,
-                          std::vector<double>(model.contacts.size(), penalty),
-                          turns);
+    PairEquilibrium             whole(model, compliance, turns);
     const PairEquilibriumResult at = whole.solve(0., 1.);
     const double                te = error_of(model, compliance, at);
 

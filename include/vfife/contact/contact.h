@@ -69,7 +69,7 @@ namespace vfife
     }
 
     /**
-     * Penalty [N/mm^3], see PenaltyOptions::value_for_step, and the least nodal mass per tributary
+     * Penalty [N/mm^3] and the least nodal mass per tributary
      * area [t/mm^2], which scales the gap-rate damping c = 2 ratio sqrt(eps m/A). Without it (0)
      * that of PenaltyOptions::mass_per_area_for the step is taken.
      */
@@ -230,16 +230,16 @@ namespace vfife
     std::size_t n_wide_searches() const;
 
   private:
-    SurfaceInteraction interaction(double dt) const;
-    void               find_active_nodes();
-
-    ContactOptions                    options_;
-    std::unique_ptr<const ContactLaw> law_;
-    std::vector<ContactPass>          passes_; ///< one, or two with swapped roles
-    BroadSearch                       broad_search_;
-    double                            penalty_;
-    double                            mass_per_area_    = 0.;
-    double                            tangential_limit_ = std::numeric_limits<double>::infinity();
+    SurfaceInteraction                 interaction(double dt) const;
+    void                               find_active_nodes();
+    ContactOptions                     options_;
+    std::unique_ptr<const ContactLaw>  law_;
+    std::unique_ptr<const FrictionLaw> friction_; ///< none: no friction
+    std::vector<ContactPass>           passes_;   ///< one, or two with swapped roles
+    BroadSearch                        broad_search_;
+    double                             penalty_;
+    double                             mass_per_area_    = 0.;
+    double                             tangential_limit_ = std::numeric_limits<double>::infinity();
 
     std::vector<std::pair<unsigned int, unsigned int>> candidate_pairs_;
     std::vector<unsigned int>                          active_slave_nodes_, active_master_nodes_;

@@ -170,7 +170,6 @@ namespace vfife
       Fading       fade;
       TangentBasis basis;
     };
-
     /** Smallest gap over a slave facet, from its smallest sample on. */
     ContactPoint refined_gap(const ListedPoint &sample);
     void         bound_master_areas(const FacetDirections &directions);
@@ -197,9 +196,11 @@ namespace vfife
     bool
     locate(const Pair &pair, ListedPoint &point, const Vector3 &x, double path, double &awake_at);
     void open(Pair &pair, unsigned int i, bool located); ///< located: its projection is known
-    /** Along the master since the evaluation before [mm]; zero where velocities are not known. */
-    Vector3
-    slip_way(const ListedPoint &point, const Vector3 &normal, const TangentBasis &basis) const;
+    /** Along the master in the @p time [s] of the velocities of now [mm]; zero for no time. */
+    Vector3 slip_way(const ListedPoint  &point,
+                     const Vector3      &normal,
+                     const TangentBasis &basis,
+                     double              time) const;
     /** Friction force on the slave [N]. */
     Vector3 stick(const ListedPoint        &point,
                   const Vector3            &normal,
@@ -232,18 +233,17 @@ namespace vfife
     std::vector<double>               slave_carried_areas_, master_carried_areas_; ///< by node
     std::vector<double>               point_stiffness_; ///< stiffness_of()
     double                            area_factor_, edge_fading_, skin_, depth_limit_;
-    double step_ = 0.; ///< between evaluations, where velocities are known [s]
-
-    GroupPath                    slave_path_, master_path_;
-    std::vector<Pair>            pairs_;
-    std::vector<GroupPairResult> results_;
-    std::vector<TouchingPoint>   touching_; ///< of all pairs, in their order
-    std::vector<Touch>           touches_;  ///< of the same
-    std::size_t                  n_wide_searches_ = 0;
-    ContactTimes                *times_           = nullptr;
-    FrictionMode                 mode_            = FrictionMode::follows;
-    bool                         has_friction_    = false; ///< in this evaluation
-    std::vector<AnchorOfPoint>   restored_;                ///< of a checkpoint, until they are used
+    double                            step_ = 0.; ///< between evaluations of implicit contact [s]
+    GroupPath                         slave_path_, master_path_;
+    std::vector<Pair>                 pairs_;
+    std::vector<GroupPairResult>      results_;
+    std::vector<TouchingPoint>        touching_; ///< of all pairs, in their order
+    std::vector<Touch>                touches_;  ///< of the same
+    std::size_t                       n_wide_searches_ = 0;
+    ContactTimes                     *times_           = nullptr;
+    FrictionMode                      mode_            = FrictionMode::follows;
+    bool                              has_friction_    = false; ///< in this evaluation
+    std::vector<AnchorOfPoint>        restored_; ///< of a checkpoint, until they are used
   };
 } // namespace vfife
 

@@ -73,6 +73,11 @@ namespace vfife
     /** Contact::set_stiffness(); empty: the penalty is the same everywhere. */
     std::vector<double> stiffness;
     double mean_stiffness = 1; ///< of those points, by the forces on them, over the penalty [-]
+    /** Penalty in the mean of the points [N/mm^3]. */
+    double mean_penalty() const
+    {
+      return options.penalty.value * mean_stiffness;
+    }
     /** Transmission error of those springs less that of the contact's own grid, at equal positions
      * over one gear mesh from time zero on [rad]; empty: not known. */
     std::vector<double> spring_errors = {};

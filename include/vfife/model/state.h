@@ -2,14 +2,18 @@
 #ifndef vfife_model_state_h
 #define vfife_model_state_h
 
+#include <vfife/base/text/column_names.h>
 #include <vfife/base/types.h>
 #include <vfife/bearing/shaft_seat.h>
+#include <vfife/element/stress.h>
 #include <vfife/model/energy_ledger.h>
 #include <vfife/model/node_field.h>
 #include <vfife/model/partition.h>
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <vector>
@@ -54,6 +58,7 @@ namespace vfife
     double facet_width = 0;
   };
 
+  /** What a probe shows at an instant, along its axes: r, theta, z of the body or fixed ones. */
   struct ProbeValue
   {
     Vector3 displacement =
@@ -61,6 +66,24 @@ namespace vfife
     std::array<double, 6> stress    = {}; ///< rr tt zz rt tz zr, node average of the elements [MPa]
     double                von_mises = 0;  ///< [MPa]
   };
+
+  /** Of the displacement [mm] along the probe's axes and the stress [MPa], which @p turns (axes as
+   * columns) take one after the other into these axes. */
+  ProbeValue make_probe_value(const Vector3                 &displacement,
+                              const Stress                  &stress,
+                              std::initializer_list<Matrix3> turns);
+
+  /** A quantity of a probe: a column of result files. */
+  struct ProbeQuantity
+  {
+    std::string                               name; ///< "displacement r"
+    const char                               *unit; ///< "mm" or "MPa"
+    std::function<double(const ProbeValue &)> value;
+  };
+
+  /** All quantities: displacements, stresses that are the same in all axes, the 6 components of the
+   * stress; along @p axes. */
+  std::vector<ProbeQuantity> list_probe_quantities(const column::Axes &axes);
 
   /** What a constraint, or a spring to the ground, exerts on its nodes. */
   struct Reaction

@@ -13,8 +13,6 @@
 namespace vfife
 {
   struct Model;
-  struct Probe;
-  struct ProbeValue;
 
   /** Names of the readings of gear bodies. */
   namespace reading
@@ -49,10 +47,6 @@ namespace vfife
   std::complex<double> find_rim_wave(const std::vector<double> &coefficients,
                                      unsigned int               component,
                                      unsigned int               diameters);
-
-  /** What a probe shows when its readings have the values @p components. */
-  ProbeValue
-  make_probe_value(const Model &model, const Probe &probe, const std::array<double, 9> &components);
 } // namespace vfife
 
 #endif

@@ -54,13 +54,11 @@ namespace vfife
   class ReducedPair
   {
   public:
-    /** @p bodies: both, in the model's order. @p penalties: of the contact pairs [N/mm^3]. Throws
-     * as require_reducible(), and InputError where the driven body does not turn freely. The model
-     * must outlive the object. */
-    ReducedPair(const Model               &model,
-                std::vector<ReducedBody>   bodies,
-                const std::vector<double> &penalties,
-                const ReducedPairOptions  &options);
+    /** @p bodies: both, in the model's order. Throws as require_reducible(), and InputError where
+     * the driven body does not turn freely. The model must outlive the object. */
+    ReducedPair(const Model              &model,
+                std::vector<ReducedBody>  bodies,
+                const ReducedPairOptions &options);
     ~ReducedPair();
 
     /** The equilibrium at time zero, which stands still in space. @p part of the load on the

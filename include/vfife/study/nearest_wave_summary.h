@@ -23,13 +23,12 @@ namespace vfife
                            RunSummary                                        &summary);
 
   /** Of a run whose bodies are reduced for this alone; nothing where there is no pair at a constant
-   * speed. @p penalties: of the contact pairs [N/mm^3]. Collective. */
-  void report_nearest_wave_of_run(const Model               &model,
-                                  const DynamicsOptions     &dynamics,
-                                  const std::vector<double> &penalties,
-                                  const Communicator        &communicator,
-                                  Log                       &log,
-                                  RunSummary                &summary);
+   * speed. Collective. */
+  void report_nearest_wave_of_run(const Model           &model,
+                                  const DynamicsOptions &dynamics,
+                                  const Communicator    &communicator,
+                                  Log                   &log,
+                                  RunSummary            &summary);
 } // namespace vfife
 
 #endif

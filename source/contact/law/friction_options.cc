@@ -1,13 +1,35 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/text/number_text.h>
 #include <vfife/contact/law/friction_options.h>
 
 namespace vfife
 {
   void FrictionOptions::declare(dealii::ParameterHandler &prm)
   {
-    declare_number(
-      prm, "friction coefficient", coefficient, "Coulomb friction", Range::between(0., 2.));
+    declare_choice(prm,
+                   "friction law",
+                   law,
+                   friction_laws(),
+                   "Whether friction is the same at all slip speeds v, or mu(v) = mu_k + (mu_s - "
+                   "mu_k) exp(-v/v_c)");
+    declare_number(prm,
+                   "friction coefficient",
+                   coefficient,
+                   "Coulomb friction; mu_k of exponential decay",
+                   Range::between(0., 2.));
+    declare_quantity_or_word(prm,
+                             "static friction coefficient",
+                             static_coefficient,
+                             "-",
+                             "auto",
+                             "mu_s of exponential decay; auto: the friction coefficient");
+    declare_quantity(prm,
+                     "friction decay speed",
+                     decay_speed,
+                     "mm/s",
+                     "v_c of exponential decay",
+                     Range::not_negative());
     declare_number(prm,
                    "tangential stiffness ratio",
                    stiffness_ratio,
@@ -26,6 +48,20 @@ namespace vfife
     const std::string before = section.empty() ? "" : section + "/";
     if (!(coefficient >= 0.))
       throw InputError(before + "friction coefficient", "friction must not be negative");
+    const bool decays = law != friction_laws().front().second;
+    if (!decays && static_coefficient > 0.)
+      throw InputError(before + "static friction coefficient",
+                       "expected auto with the friction law \"Coulomb\", got " +
+                         number_text(static_coefficient) +
+                         ". Set friction law to exponential decay");
+    if (decays && static_coefficient > 0. && static_coefficient < coefficient)
+      throw InputError(before + "static friction coefficient",
+                       "expected at least the friction coefficient " + number_text(coefficient) +
+                         ", got " + number_text(static_coefficient));
+    if (decays && !(decay_speed > 0.))
+      throw InputError(before + "friction decay speed",
+                       "expected a positive speed with the friction law \"exponential decay\", "
+                       "got 0. Set the slip over which friction falls to mu_k");
     if (!(stiffness_ratio > 0. && stiffness_ratio <= 1.))
       throw InputError(before + "tangential stiffness ratio",
                        "the ratio must be positive and at most 1");

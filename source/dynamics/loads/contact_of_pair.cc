@@ -98,18 +98,11 @@ namespace vfife
   {
     // Integrated implicitly the pressure bears any step; the springs of points that stick do not.
     if (is_implicit())
-      {
-        PenaltyOptions stick = penalty();
-        stick.from_step      = true;
-        return definition.options.friction.acts() ? stick.vote_on_step(step, mass_per_area) : step;
-      }
+      return definition.options.friction.acts() ? penalty().vote_of_stick(step) : step;
     // The nodes' own areas as everywhere; of what is carried beyond them the safety of the step
     // bears a part: 4/dt^2 >= 4 safety^2/step^2 + n eps A/m with the carried A.
-    const double own = penalty().vote_on_step(step, mass_per_area);
-    if (penalty().from_step)
-      return own;
-    const double whole = step / safety_;
-    return std::min(own, penalty().vote_on_step(whole, carried_mass_per_area));
+    return std::min(penalty().vote_on_step(step, mass_per_area),
+                    penalty().vote_on_step(step / safety_, carried_mass_per_area));
   }
 
   double ContactOfPair::rattling(const double dt) const
@@ -132,23 +125,13 @@ namespace vfife
 
   double ContactOfPair::tangential_limit(const double dt) const
   {
-    return is_implicit() ? value_from_step(dt) : std::numeric_limits<double>::infinity();
-  }
-
-  double ContactOfPair::penalty_for_step(const double dt) const
-  {
-    return penalty().from_step ? value_from_step(dt) : penalty().value;
-  }
-
-  double ContactOfPair::value_from_step(const double dt) const
-  {
-    // The same with the springs' share x = n f/4 of 4/dt^2 by their own areas, everything else
-    // having (1 - x) safety^2: carried areas may take what is left, so that the penalty never falls
-    // by a jump where a slave gets coarser.
-    const double   x         = 0.25 * penalty().n_moving * penalty().fraction;
-    const double   left      = (1. - (1. - x) * safety_ * safety_) / x;
-    PenaltyOptions from_step = penalty();
-    from_step.from_step      = true;
-    return from_step.value_for_step(std::min(mass_per_area, left * carried_mass_per_area), dt);
+    if (!is_implicit())
+      return std::numeric_limits<double>::infinity();
+    // With the springs' share x = n f/4 of 4/dt^2 by their own areas, everything else has
+    // (1 - x) safety^2: carried areas may take what is left, so that the limit never falls by a
+    // jump where a slave gets coarser.
+    const double x    = 0.25 * penalty().n_moving * PenaltyOptions::stick_fraction;
+    const double left = (1. - (1. - x) * safety_ * safety_) / x;
+    return PenaltyOptions::stick_value(std::min(mass_per_area, left * carried_mass_per_area), dt);
   }
 } // namespace vfife

@@ -67,11 +67,11 @@ namespace vfife
     return dt;
   }
 
-  void ContactSystem::set_penalties(const double dt)
+  void ContactSystem::set_step(const double dt)
   {
     for (const auto &pair : pairs_)
       {
-        pair->contact.set_penalty(pair->penalty_for_step(dt), pair->mass_per_area);
+        pair->contact.set_penalty(pair->penalty().value, pair->mass_per_area);
         pair->contact.limit_tangential_penalty(pair->tangential_limit(dt));
       }
   }
@@ -80,7 +80,7 @@ namespace vfife
   {
     std::vector<double> values;
     for (const auto &pair : pairs_)
-      values.push_back(pair->contact.penalty());
+      values.push_back(pair->contact.penalty() * pair->definition.mean_stiffness);
     return values;
   }
 

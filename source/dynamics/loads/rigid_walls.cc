@@ -65,6 +65,7 @@ namespace vfife
   RigidWalls::Wall::Wall(const RigidWall &wall)
     : definition(&wall)
     , law(wall.penalty.law(wall.penalty))
+    , friction_law(wall.friction.law(wall.friction))
     , mass_per_area(std::numeric_limits<double>::infinity())
     , penalty(wall.penalty.value)
     , depth_limit(std::numeric_limits<double>::infinity())
@@ -114,7 +115,7 @@ namespace vfife
                  i});
           }
         // Inside a surface the area of a node is that of a facet.
-        if (definition.penalty.from_step || derived)
+        if (derived)
           wall.depth_limit = 0.5 * std::sqrt(largest_area);
         walls_.push_back(std::move(wall));
       }
@@ -148,27 +149,17 @@ namespace vfife
     double dt = step;
     for (const Wall &wall : walls_)
       if (wall.definition->friction.acts())
-        {
-          PenaltyOptions stick = wall.options();
-          stick.from_step      = true;
-          dt                   = std::min(dt, stick.vote_on_step(step, wall.mass_per_area));
-        }
+        dt = std::min(dt, wall.options().vote_of_stick(step));
     return dt;
   }
 
-  void RigidWalls::set_penalties(const double dt)
+  void RigidWalls::set_step(const double dt)
   {
     for (Wall &wall : walls_)
-      {
-        PenaltyOptions stick = wall.options();
-        stick.from_step      = true;
-        if (wall.options().from_step)
-          wall.penalty = stick.value_for_step(wall.mass_per_area, dt);
-        for (Node &node : wall.nodes)
-          node.tangential =
-            std::min(wall.definition->friction.stiffness_ratio * wall.penalty * node.stiffness,
-                     stick.value_for_step(node.mass / node.area, dt));
-      }
+      for (Node &node : wall.nodes)
+        node.tangential =
+          std::min(wall.definition->friction.stiffness_ratio * wall.penalty * node.stiffness,
+                   PenaltyOptions::stick_value(node.mass / node.area, dt));
   }
 
   std::vector<std::string> RigidWalls::describe_penalties() const
@@ -211,6 +202,7 @@ namespace vfife
     //              | depth
     //              o x
     clear_results();
+    step_              = 0;
     const auto at_rest = [](const Node &) { return Vector3(Vector3::Zero()); };
     for (Wall &wall : walls_)
       {
@@ -245,6 +237,7 @@ namespace vfife
                                    NodeField       &forces)
   {
     clear_results();
+    step_ = dt;
     for (std::size_t first = 0; first < places_.size();)
       {
         std::size_t last = first;

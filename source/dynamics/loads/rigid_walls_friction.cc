@@ -41,13 +41,14 @@ namespace vfife
       node.anchor = x - way;
     node.sticks = true;
     // As between two bodies (ContactPass::stick), pressures being forces here.
-    const FrictionOptions &friction     = wall.definition->friction;
-    const Vector3         &n            = wall.definition->normal;
-    const Vector3          stretch      = x - node.anchor;
-    const Vector3          displacement = stretch - n.dot(stretch) * n;
-    const double           k            = node.tangential * node.area;
-    const SliderResponse   response =
-      slide(displacement.norm(), friction.coefficient * pressure * node.area, k, node.elastic);
+    const FrictionLaw &law          = *wall.friction_law;
+    const Vector3     &n            = wall.definition->normal;
+    const Vector3      stretch      = x - node.anchor;
+    const Vector3      displacement = stretch - n.dot(stretch) * n;
+    const double       speed =
+      law.depends_on_speed() && step_ > 0 ? (way - n.dot(way) * n).norm() / step_ : 0.;
+    const SliderResponse response =
+      slide(law, {pressure, speed, node.tangential, node.elastic, node.area}, displacement.norm());
     const Vector3 elastic = response.elastic_part * displacement;
     if (node.owned)
       wall.energy += response.energy;
@@ -60,7 +61,7 @@ namespace vfife
         node.elastic = response.elastic;
         node.energy  = response.energy;
       }
-    return -k * elastic;
+    return -(node.tangential * node.area) * elastic;
   }
 
   void RigidWalls::serialize(ByteStream &stream)

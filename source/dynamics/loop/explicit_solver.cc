@@ -127,9 +127,9 @@ namespace vfife
   {
     dt_         = dt;
     n_substeps_ = 1;
-    // Penalties that follow from the step, eps = f (m/A)/dt^2, change with it.
-    contact_.set_penalties(dt);
-    walls_.set_penalties(dt);
+    // The stiffness of points that stick changes with it.
+    contact_.set_step(dt);
+    walls_.set_step(dt);
     energy_.set_round_off(compute_round_off_energy(model_, dt));
     safe_step_ = vote_on_step(operator_.limiting_element().stable_step());
   }

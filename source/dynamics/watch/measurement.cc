@@ -80,30 +80,24 @@ namespace vfife
 
     // 2. Displacement in the turning body along r, theta, z; stress averaged over the elements and
     // turned into the same axes. Both along x, y, z where the probe asks for it.
-    std::vector<ProbeValue> values(probes.size());
+    std::vector<ProbeValue> values;
     for (std::size_t p = 0; p < probes.size(); ++p)
       {
         const Probe  &probe = probes[p];
         const Body   &body  = model.bodies[probe.body];
         const double *s     = sums.data() + n * p;
-        const Matrix3 axes  = compute_cylindrical_axes(body, body.node_positions()[probe.node]);
-        const Vector3 moved =
-          compute_displacement(body,
-                               probe.node,
-                               Eigen::Map<const Vector3>(s),
-                               compute_turn(body, state.body_motion[probe.body]));
-        values[p].displacement = axes.transpose() * (body.placement.rotation.transpose() * moved);
-
-        const Stress mean   = Eigen::Map<const Stress>(s + 3) / s[9];
-        values[p].von_mises = von_mises(mean);
+        const Vector3 x = Eigen::Map<const Vector3>(s), X = body.node_positions()[probe.node];
+        const Stress  mean = Eigen::Map<const Stress>(s + 3) / s[9];
         if (probe.fixed_axes)
           {
-            values[p].displacement =
-              Eigen::Map<const Vector3>(s) - body.placement(body.node_positions()[probe.node]);
-            Eigen::Map<Stress>(values[p].stress.data()) = mean;
+            values.push_back(make_probe_value(x - body.placement(X), mean, {}));
+            continue;
           }
-        else
-          Eigen::Map<Stress>(values[p].stress.data()) = turn_stress(mean, axes);
+        const Matrix3 axes  = compute_cylindrical_axes(body, X);
+        const Vector3 moved = compute_displacement(
+          body, probe.node, x, compute_turn(body, state.body_motion[probe.body]));
+        values.push_back(make_probe_value(
+          axes.transpose() * (body.placement.rotation.transpose() * moved), mean, {axes}));
       }
     return values;
   }

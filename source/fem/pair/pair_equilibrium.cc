@@ -25,11 +25,10 @@ namespace vfife
 
   PairEquilibrium::PairEquilibrium(const Model               &model,
                                    Compliance                &compliance,
-                                   const std::vector<double> &penalties,
                                    const std::vector<double> &driver_turns)
     : model_(model)
     , compliance_(compliance)
-    , pair_(model, penalties)
+    , pair_(model)
   {
     const unsigned int driven = model.transmission->driven;
     if (!compliance.turns_freely(driven))

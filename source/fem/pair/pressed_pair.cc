@@ -30,14 +30,14 @@ namespace vfife
     return {};
   }
 
-  PressedPair::PressedPair(const Model &model, const std::vector<double> &penalties)
+  PressedPair::PressedPair(const Model &model)
     : model_(model)
     , rotations_(model.bodies.size(), Matrix3::Identity())
   {
     if (!model.transmission || model.contacts.empty())
       throw InputError("the equilibrium of a loaded pair needs a gear pair with contact");
-    for (std::size_t i = 0; i < model.contacts.size(); ++i)
-      pairs_.push_back(std::make_unique<Pair>(model.contacts[i], model, penalties[i]));
+    for (const ContactPair &pair : model.contacts)
+      pairs_.push_back(std::make_unique<Pair>(pair, model));
   }
 
   PressedPair::~PressedPair() = default;

@@ -43,13 +43,14 @@ namespace vfife
     Surface            slave, master;
     Contact            contact;
 
-    Pair(const ContactPair &pair, const Model &model, const double penalty)
+    Pair(const ContactPair &pair, const Model &model)
       : definition(pair)
       , slave(model, pair.slave_body, pair.slave_surface)
       , master(model, pair.master_body, pair.master_surface)
       , contact(slave.facets, master.facets, pair.options)
     {
-      contact.set_penalty(penalty, contact.mass_per_area(slave.mass, master.mass));
+      contact.set_penalty(pair.options.penalty.value,
+                          contact.mass_per_area(slave.mass, master.mass));
       if (!pair.stiffness.empty())
         contact.set_stiffness(pair.stiffness);
       // Newton's method is one of springs along the normals.

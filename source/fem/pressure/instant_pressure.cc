@@ -69,7 +69,7 @@ namespace vfife
 
   bool InstantPressure::rubs() const
   {
-    return flanks_.definition().options.friction.coefficient > 0.;
+    return flanks_.definition().options.friction.acts();
   }
 
   std::vector<Vector3> InstantPressure::find_forces(const unsigned int side,

@@ -59,9 +59,9 @@ namespace vfife
   } // namespace
 
 
-  PenaltyCalibration::PenaltyCalibration(const ContactPair &pair, const double penalty)
+  PenaltyCalibration::PenaltyCalibration(const ContactPair &pair)
     : pair_(pair)
-    , penalty_(penalty)
+    , penalty_(pair.options.penalty.value)
     , rule_(facet_quadrature(pair.options.discretization, pair.options.points_per_facet.number))
   {
   }

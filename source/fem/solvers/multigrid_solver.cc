@@ -1,36 +1,178 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include "multigrid.h"
-
 #include <vfife/base/errors.h>
+#include <vfife/base/process/communicator.h>
 #include <vfife/fem/solvers/multigrid_solver.h>
 
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wall"
-#pragma GCC diagnostic ignored "-Wextra"
-#include <AztecOO.h>
-#include <Epetra_LinearProblem.h>
-#include <Epetra_Vector.h>
-#pragma GCC diagnostic pop
+#include <deal.II/base/config.h>
 
-#include <sstream>
+// The only source that sees Trilinos by deal.II, whose headers include Epetra and, up to Trilinos
+// 16, ML. VFIFE_WITHOUT_MULTIGRID: the option VFIFE_MULTIGRID of CMake is off.
+#if !defined(VFIFE_WITHOUT_MULTIGRID) && defined(DEAL_II_WITH_TRILINOS) &&                         \
+  __has_include(<ml_MultiLevelPreconditioner.h>)
+
+#  pragma GCC diagnostic push
+#  pragma GCC diagnostic ignored "-Wall"
+#  pragma GCC diagnostic ignored "-Wextra"
+#  include <Teuchos_ParameterList.hpp>
+#  include <deal.II/lac/solver_cg.h>
+#  include <deal.II/lac/trilinos_precondition.h>
+#  include <deal.II/lac/trilinos_sparse_matrix.h>
+#  include <deal.II/lac/trilinos_vector.h>
+#  include <deal.II/lac/vector.h>
+#  include <ml_MultiLevelPreconditioner.h>
+#  pragma GCC diagnostic pop
+
+#  include <algorithm>
+#  include <sstream>
 
 namespace vfife
 {
+  namespace
+  {
+    namespace Wrappers = dealii::TrilinosWrappers;
+
+    dealii::IndexSet make_own_rows(const SparsePattern &pattern)
+    {
+      dealii::IndexSet rows(pattern.n);
+      rows.add_range(pattern.first_row, pattern.first_row + pattern.n_rows());
+      return rows;
+    }
+
+    /** Applies an operator of deal.II's wrappers to one vector after the other. */
+    template <typename Operator>
+    class WrappedOperator : public ColumnOperator
+    {
+    public:
+      explicit WrappedOperator(const Operator &A)
+        : A_(A)
+      {
+      }
+
+      void apply(const Columns &x, Columns &y) const override
+      {
+        dealii::Vector<double> in(x.n_rows()), out(x.n_rows()); // own rows
+        for (std::size_t k = 0; k < x.n(); ++k)
+          {
+            std::copy_n(x[k].data(), x.n_rows(), in.begin());
+            A_.vmult(out, in);
+            std::copy_n(out.begin(), x.n_rows(), y[k].data());
+          }
+      }
+
+    private:
+      const Operator &A_;
+    };
+  } // namespace
+
   struct MultigridSolver::Operators
   {
     Operators(const Assembly                 &assembly,
               const SparseValues             &values,
               const std::vector<OwnedVector> &near_kernel)
-      : map(make_map(assembly.pattern(), assembly.communicator()))
-      , matrix(make_epetra_matrix(map, assembly.pattern(), values))
-      , multigrid(*matrix, near_kernel)
+      : communicator(assembly.communicator())
+      , rows(make_own_rows(assembly.pattern()))
+      , A(rows, communicator.mpi())
+      , matrix(std::make_unique<WrappedOperator<Wrappers::SparseMatrix>>(A))
+      , cycle(std::make_unique<WrappedOperator<Wrappers::PreconditionAMG>>(multigrid))
     {
+      const SparsePattern                         &pattern = assembly.pattern();
+      std::vector<dealii::types::global_dof_index> columns;
+      for (int i = 0; i < pattern.n_rows(); ++i)
+        {
+          const std::size_t begin = pattern.begin[i], end = pattern.begin[i + 1];
+          columns.assign(pattern.columns.begin() + begin, pattern.columns.begin() + end);
+          // Without zeros, which multigrid would take for couplings.
+          A.set(pattern.first_row + i, end - begin, columns.data(), &values[begin], true);
+        }
+      A.compress(dealii::VectorOperation::insert);
+      for (const OwnedVector &motion : near_kernel)
+        kernel.insert(kernel.end(), motion.begin(), motion.end());
+      Teuchos::ParameterList list;
+      ML_Epetra::SetDefaults("SA", list);
+      list.set("ML output", 0);
+      // Padded unknowns: the three of a point go to one aggregate. Couplings below the threshold do
+      // not join points.
+      list.set("PDE equations", 3);
+      list.set("aggregation: threshold", 1e-3);
+      // A polynomial of degree three on the upper nine tenths of the spectrum, symmetric as
+      // conjugate gradients ask for.
+      list.set("smoother: type", "Chebyshev");
+      list.set("smoother: sweeps", 3);
+      list.set("smoother: Chebyshev alpha", 10.);
+      list.set("coarse: type", "Amesos-KLU");
+      list.set("coarse: max size", 1000);
+      // The coarse spaces hold what is given here, and nothing else.
+      list.set("null space: type", "pre-computed");
+      list.set("null space: dimension", static_cast<int>(near_kernel.size()));
+      list.set("null space: vectors", kernel.data());
+      list.set("null space: add default vectors", false);
+      multigrid.initialize(A, list);
     }
 
-    Epetra_Map                        map;
-    std::unique_ptr<Epetra_CrsMatrix> matrix;
-    Multigrid                         multigrid;
+    const Communicator             &communicator;
+    const dealii::IndexSet          rows; ///< of this rank
+    Wrappers::SparseMatrix          A;
+    std::vector<double>             kernel; ///< multigrid only points to it
+    Wrappers::PreconditionAMG       multigrid;
+    std::unique_ptr<ColumnOperator> matrix, cycle;
   };
+
+  OwnedVector MultigridSolver::solve(const OwnedVector &right_side, const double tolerance)
+  {
+    const Operators      &o = *operators_;
+    Wrappers::MPI::Vector b(o.rows, o.communicator.mpi()), x(b), residual(b);
+    std::copy(right_side.begin(), right_side.end(), b.begin());
+    const double size = b.l2_norm();
+
+    dealii::SolverControl control(1000, tolerance * size, false, false);
+    try
+      {
+        dealii::SolverCG<Wrappers::MPI::Vector>(control).solve(o.A, x, b, o.multigrid);
+      }
+    catch (const dealii::SolverControl::NoConvergence &)
+      {
+        // The residual decides.
+      }
+    n_iterations_ = control.last_step();
+
+    // The recursive residual of the iteration may drift from the true one.
+    const double rest = o.A.residual(residual, x, b);
+    // Ten times: the residual that drifts a little is no failure.
+    if (!(rest <= 10. * tolerance * size))
+      {
+        std::ostringstream text;
+        text << "conjugate gradients stopped after " << n_iterations_
+             << " iterations at a residual of " << rest / size << " of the load instead of "
+             << tolerance;
+        throw NumericalError(text.str());
+      }
+    return OwnedVector(x.begin(), x.end());
+  }
+
+#else
+
+namespace vfife
+{
+  struct MultigridSolver::Operators
+  {
+    Operators(const Assembly &, const SparseValues &, const std::vector<OwnedVector> &)
+    {
+      throw InputError(
+        "Fem/linear solver, Fem/eigenvalue solver: expected \"direct\", \"shift-invert\", got "
+        "\"multigrid\" or \"lobpcg\". deal.II of this build has no algebraic multigrid "
+        "(PreconditionAMG by Epetra and ML of Trilinos). Choose \"direct\" and "
+        "\"shift-invert\", or build vfife with such a deal.II.");
+    }
+
+    std::unique_ptr<ColumnOperator> matrix, cycle;
+  };
+
+  OwnedVector MultigridSolver::solve(const OwnedVector &right_side, const double)
+  {
+    return right_side;
+  }
+
+#endif
 
   MultigridSolver::MultigridSolver(const Assembly                 &assembly,
                                    const SparseValues             &values,
@@ -41,36 +183,13 @@ namespace vfife
 
   MultigridSolver::~MultigridSolver() = default;
 
-  OwnedVector MultigridSolver::solve(const OwnedVector &right_side, const double tolerance)
+  const ColumnOperator &MultigridSolver::matrix() const
   {
-    Epetra_Vector b(operators_->map), x(operators_->map), residual(operators_->map);
-    std::copy(right_side.begin(), right_side.end(), b.Values());
+    return *operators_->matrix;
+  }
 
-    Epetra_LinearProblem problem(operators_->matrix.get(), &x, &b);
-    AztecOO              solver(problem);
-    solver.SetPrecOperator(operators_->multigrid.operators.get());
-    solver.SetAztecOption(AZ_solver, AZ_cg);
-    solver.SetAztecOption(AZ_output, AZ_none);
-    // AZ_rhs: the residual is measured by the load.
-    solver.SetAztecOption(AZ_conv, AZ_rhs);
-    solver.Iterate(1000, tolerance);
-    n_iterations_ = solver.NumIters();
-
-    // The recursive residual of the iteration may drift from the true one.
-    double rest = 0, size = 0;
-    operators_->matrix->Multiply(false, x, residual);
-    residual.Update(1., b, -1.);
-    residual.Norm2(&rest);
-    b.Norm2(&size);
-    // Ten times: the residual that drifts a little is no failure.
-    if (!(rest <= 10. * tolerance * size))
-      {
-        std::ostringstream text;
-        text << "conjugate gradients stopped after " << n_iterations_
-             << " iterations at a residual of " << rest / size << " of the load instead of "
-             << tolerance;
-        throw NumericalError(text.str());
-      }
-    return OwnedVector(x.Values(), x.Values() + right_side.size());
+  const ColumnOperator &MultigridSolver::cycle() const
+  {
+    return *operators_->cycle;
   }
 } // namespace vfife

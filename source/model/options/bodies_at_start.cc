@@ -260,7 +260,7 @@ namespace vfife
         area = std::max(area, part);
       for (const unsigned int node : wall.nodes)
         deepest = std::max(deepest, depth_of(node));
-      const bool given = !wall.penalty.from_step && !wall.penalty.is_open();
+      const bool given = !wall.penalty.is_open();
       if (given && deepest > .5 * std::sqrt(area))
         log.warning("contact ",
                     wall.name,

@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
-#include <vfife/contact/law/facet_penalty.h>
 #include <vfife/contact/surface/smooth_patch.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/options/contact_pair_options.h>
@@ -29,8 +28,6 @@ namespace vfife
   ContactPairOptions::ContactPairOptions()
   {
     contact.surface = ContactSurfaceKind::automatic;
-    derive_from_facets(contact.penalty);
-    derive_from_facets(wall.penalty);
     // Friction excites the vibrations of bodies that nothing else damps.
     contact.friction.damping_ratio = wall.friction.damping_ratio = 0.2;
   }

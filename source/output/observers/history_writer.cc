@@ -3,6 +3,8 @@
 #include <vfife/model/constraints/supports.h>
 #include <vfife/output/observers/history_writer.h>
 
+#include <algorithm>
+
 namespace vfife
 {
   namespace
@@ -28,24 +30,17 @@ namespace vfife
       columns.add(column::energy_error, "-", [](Now now) { return now.energy.error(); });
     }
 
-    /** Displacement and stress of probe number @p p of the model, under its name. */
+    /** Quantities of probe number @p p of the model, under its name. */
     void add_probe(const Probe &probe, const std::size_t p, HistoryColumns &columns)
     {
-      const auto add = [&](const std::string &name, const char *unit, const auto value) {
-        columns.add(probe.name + " " + name, unit, [p, value](Now now) {
-          return value(now.probes.at(p));
-        });
-      };
-      const column::Axes axes = probe.fixed_axes ? column::fixed_axes : column::cylindrical_axes;
-      for (unsigned int c = 0; c < 3; ++c)
-        add(column::displacements(axes)[c], "mm", [c](const ProbeValue &value) {
-          return value.displacement[c];
-        });
-      for (unsigned int c = 0; c < 6; ++c)
-        add(column::stresses(axes)[c], "MPa", [c](const ProbeValue &value) {
-          return value.stress[c];
-        });
-      add(column::von_mises, "MPa", [](const ProbeValue &value) { return value.von_mises; });
+      std::vector<ProbeQuantity> quantities =
+        list_probe_quantities(probe.fixed_axes ? column::fixed_axes : column::cylindrical_axes);
+      // Components of the stress stand behind the displacement.
+      std::rotate(quantities.begin() + 3, quantities.end() - 6, quantities.end());
+      for (const ProbeQuantity &quantity : quantities)
+        columns.add(probe.name + " " + quantity.name,
+                    quantity.unit,
+                    [p, value = quantity.value](Now now) { return value(now.probes.at(p)); });
     }
 
     /** Force and moment of support number @p s of the model, under its name. */

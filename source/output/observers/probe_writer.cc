@@ -9,23 +9,22 @@ namespace vfife
 {
   namespace
   {
-    using Here         = const ProbeSample &;
-    using ProbeColumns = SampleColumns<ProbeSample>;
+    using Here = const ProbeSample &;
 
-    /** All columns in the order of the file. */
-    ProbeColumns list_columns()
+    /** All columns in the order of the file; displacements are in um. */
+    SampleColumns<ProbeSample> list_columns()
     {
-      ProbeColumns columns;
-      const auto   displacements = column::displacements(column::cylindrical_axes);
-      const auto   stresses      = column::stresses(column::cylindrical_axes);
+      SampleColumns<ProbeSample> columns;
       columns.add_text(column::probe, [](Here here) { return here.name; });
-      for (unsigned int c = 0; c < 3; ++c)
-        columns.add(displacements[c], "um", [c](Here here) {
-          return 1e3 * here.value.displacement[c];
-        });
-      columns.add(column::von_mises, "MPa", [](Here here) { return here.value.von_mises; });
-      for (unsigned int c = 0; c < 6; ++c)
-        columns.add(stresses[c], "MPa", [c](Here here) { return here.value.stress[c]; });
+      for (const ProbeQuantity &quantity : list_probe_quantities(column::cylindrical_axes))
+        {
+          const bool is_length = quantity.unit == std::string("mm");
+          columns.add(quantity.name,
+                      is_length ? "um" : quantity.unit,
+                      [value = quantity.value, factor = is_length ? 1e3 : 1.](Here here) {
+                        return factor * value(here.value);
+                      });
+        }
       return columns;
     }
   } // namespace

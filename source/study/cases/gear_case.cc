@@ -55,8 +55,6 @@ namespace vfife
     members_[1].name = "Gear";
     for (Member &member : members_)
       member.body.leave_sizes_open();
-    contact_.penalty.from_step  = false;
-    contact_.penalty.value      = 0.;
     contact_.penalty.derivation = "teeth approach each other as on the contact's own grid, each "
                                   "contact point has its value";
   }

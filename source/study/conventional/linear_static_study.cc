@@ -33,6 +33,29 @@ namespace vfife
 {
   namespace
   {
+    /** Stresses of the model's nodes, as displacements, in the fixed frame at time zero. Bodies
+     * that are not part of the discretization show zeros. */
+    ProbeValue find_probe_value(const Probe               &probe,
+                                const Discretization      &discretization,
+                                const StaticResult        &result,
+                                const std::vector<Stress> &stresses)
+    {
+      const Discretization::Part *const part = discretization.find_part(probe.body);
+      if (part == nullptr)
+        return {};
+      const Body       &body   = discretization.model().bodies[probe.body];
+      const Matrix3     frame  = body.placement.rotation;
+      const std::size_t row    = 3 * std::size_t(part->first_point + probe.node);
+      const Vector3     moved  = Eigen::Map<const Vector3>(result.displacements.data() + row);
+      const Stress     &stress = stresses[body.first_node + probe.node];
+      if (probe.fixed_axes)
+        return make_probe_value(moved, stress, {frame});
+      const Matrix3 axes = compute_cylindrical_axes(body, body.node_positions()[probe.node]);
+      return make_probe_value(axes.transpose() * (frame.transpose() * moved),
+                              stress,
+                              {frame, axes});
+    }
+
     /** Words for LinearStaticOptions::at_time. */
     const Choices<bool> load_choices = {{"full", false}, {"at time", true}};
 
@@ -42,37 +65,6 @@ namespace vfife
     {
       const auto first = result.displacements.begin() + 3 * std::size_t(part.first_point);
       return {first, first + 3 * std::size_t(body.n_nodes())};
-    }
-
-    /** What a probe shows of displacements of all points (3 a point) and stresses of the model's
-     * nodes, both in the fixed frame at time zero: in the axes in which a run records it. Bodies
-     * that are not part of the discretization show zeros. */
-    ProbeValue compute_probe_value(const Probe               &probe,
-                                   const Discretization      &discretization,
-                                   const std::vector<double> &displacements,
-                                   const std::vector<Stress> &stresses)
-    {
-      ProbeValue                        value;
-      const Discretization::Part *const part = discretization.find_part(probe.body);
-      if (part == nullptr)
-        return value;
-      const Body        &body  = discretization.model().bodies[probe.body];
-      const Matrix3      frame = body.placement.rotation;
-      const std::size_t  row   = 3 * std::size_t(part->first_point + probe.node);
-      const Vector3      moved = Eigen::Map<const Vector3>(displacements.data() + row);
-      const Stress      &local = stresses[body.first_node + probe.node];
-      const Matrix3      axes  = compute_cylindrical_axes(body, body.node_positions()[probe.node]);
-      Eigen::Map<Stress> stress(value.stress.data());
-      value.von_mises    = von_mises(local);
-      value.displacement = moved;
-      stress             = turn_stress(local, frame);
-      // From the fixed frame into the body frame, then into r, theta, z there.
-      if (!probe.fixed_axes)
-        {
-          value.displacement = axes.transpose() * (frame.transpose() * moved);
-          stress             = turn_stress(stress, axes);
-        }
-      return value;
     }
 
     /** One file a body: displacements, stresses in its cylindrical axes, von Mises. */
@@ -270,8 +262,7 @@ namespace vfife
     state.measured.energy.strain = result.strain_energy;
     state.measured.reactions     = compute_reactions(discretization, result);
     for (const Probe &probe : model.probes)
-      state.measured.probes.push_back(
-        compute_probe_value(probe, discretization, result.displacements, stresses));
+      state.measured.probes.push_back(find_probe_value(probe, discretization, result, stresses));
     Observers observers;
     if (!model.transmission)
       observers.push_back(std::make_unique<HistoryWriter>(folder, model, 1));

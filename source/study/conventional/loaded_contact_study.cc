@@ -34,7 +34,6 @@
 #include <vfife/study/conventional/loaded_supports.h>
 #include <vfife/study/pressure/calibrated_penalty.h>
 #include <vfife/study/pressure/pressure_depth.h>
-#include <vfife/study/run/run_penalties.h>
 #include <vfife/study/start_summary.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -129,7 +128,7 @@ namespace vfife
         fillets_.check();
       }
 
-      void inspect(Communicator &communicator, Log &log) override
+      void inspect(Communicator &, Log &log) override
       {
         const Model model = gear_case_.make_model(log); // what is wrong with it, and what it is
         RootStress(model, fillets_);
@@ -137,7 +136,7 @@ namespace vfife
           log.line("penalty by the contact's own grid; ", options_.positions, " positions");
         else
           log.line("penalty of a run of this file ",
-                   find_penalties(model, communicator, log).front(),
+                   model.contacts.front().options.penalty.value,
                    " N/mm^3; ",
                    options_.positions,
                    " positions");
@@ -166,18 +165,6 @@ namespace vfife
                          const PairEquilibriumResult &result,
                          LoadedPressure              &pressure,
                          Log                         &log) const;
-
-      /** Finds the penalties that are open, and returns those of all contact pairs [N/mm^3]. */
-      std::vector<double> settle_penalties(Compliance         &compliance,
-                                           const Communicator &communicator,
-                                           Log                &log,
-                                           Model              &model) const;
-      std::vector<double>
-      find_penalties(const Model &model, const Communicator &communicator, Log &log) const
-      {
-        return find_run_penalties(
-          model, gear_case_, dynamics_, output_.history_every, communicator, log);
-      }
 
       /** A turn of the driver over one tooth mesh. */
       struct Position
@@ -298,15 +285,16 @@ namespace vfife
              compliance.by_sectors() ? " MB by one sector of each body in " : " MB in ",
              seconds_since(start),
              " s");
-    const std::vector<double> penalties =
-      settle_penalties(compliance, folder.communicator(), log, model);
+    if (needs_calibration(gear_case_, model))
+      calibrate_penalty(gear_case_, compliance, log, model);
+    log.line("penalty ", model.contacts.front().mean_penalty(), " N/mm^3");
     const double                pitch     = 2 * pi / model.transmission->driver_teeth;
     const std::vector<Position> positions = list_positions();
     std::vector<double>         turns;
     for (const Position &position : positions)
       turns.push_back(position.meshes * pitch);
     // One factorization serves all positions: bodies stay as they are in turning axes.
-    PairEquilibrium equilibrium(model, compliance, penalties, turns);
+    PairEquilibrium equilibrium(model, compliance, turns);
     Recorders       recorders(model, fillets_, folder, output_.fields_every);
     recorders.pressure             = make_pressure(model, compliance);
     LoadedPressure *const pressure = recorders.pressure.get();
@@ -404,18 +392,6 @@ namespace vfife
     add(recorders.fillets.list_figures());
     write_own_figures(folder, figures);
     write_tables(folder, "loaded_contact", positions_);
-  }
-
-  std::vector<double> LoadedContactStudy::settle_penalties(Compliance         &compliance,
-                                                           const Communicator &communicator,
-                                                           Log                &log,
-                                                           Model              &model) const
-  {
-    if (needs_calibration(gear_case_, model))
-      calibrate_penalty(gear_case_, compliance, log, model);
-    const std::vector<double> penalties = find_penalties(model, communicator, log);
-    log.line("penalty ", penalties.front() * model.contacts.front().mean_stiffness, " N/mm^3");
-    return penalties;
   }
 
   NamedFigures LoadedContactStudy::judge_teeth(const OutputFolder &folder, Log &log) const

@@ -10,14 +10,15 @@ namespace vfife
 {
   LoadedProbes::LoadedProbes(const Model &model)
     : model_(model)
+    , stresses_(list_probe_quantities(column::cylindrical_axes))
   {
+    stresses_.erase(stresses_.begin(), stresses_.begin() + 3); // displacements
     for (const Probe &probe : model.probes)
       copies_.push_back(list_copies(model, probe));
     table_.add_column(column::after_mesh, "tooth meshes");
     table_.add_text_column(column::probe);
-    table_.add_column(column::von_mises, "MPa");
-    for (const std::string &stress : column::stresses(column::cylindrical_axes))
-      table_.add_column(stress, "MPa");
+    for (const ProbeQuantity &stress : stresses_)
+      table_.add_column(stress.name, stress.unit);
   }
 
   void LoadedProbes::add_position(const double position, const std::vector<Stress> &stresses)
@@ -31,19 +32,18 @@ namespace vfife
         for (std::size_t m = 0; m < copies_[p].size(); ++m)
           {
             const unsigned int node = copies_[p][m].node;
-            const Stress      &here = stresses[body.first_node + node];
             // In the axes r, theta, z of the copy, which are those of the probe when it has come
             // there.
-            const Stress turned =
-              turn_stress(here,
-                          body.placement.rotation *
-                            compute_cylindrical_axes(body, body.node_positions()[node]));
+            const ProbeValue value =
+              make_probe_value(Vector3::Zero(),
+                               stresses[body.first_node + node],
+                               {body.placement.rotation *
+                                compute_cylindrical_axes(body, body.node_positions()[node])});
             // Half a turn before the mesh and half a turn after it.
             const double             after = from_mesh + m;
-            std::vector<Table::Cell> row   = {after - n * std::floor(after / n + .5),
-                                              probe.name,
-                                              von_mises(here)};
-            row.insert(row.end(), turned.data(), turned.data() + 6);
+            std::vector<Table::Cell> row   = {after - n * std::floor(after / n + .5), probe.name};
+            for (const ProbeQuantity &stress : stresses_)
+              row.push_back(stress.value(value));
             table_.add_row(row);
           }
       }

@@ -34,15 +34,12 @@ namespace vfife
                                   std::vector<double> &errors,
                                   FacetsPassed        &passed)
     {
-      std::vector<double> first;
-      for (const ContactPair &pair : model.contacts)
-        first.push_back(pair.options.penalty.value);
       const std::vector<double> turns = turns_over_mesh(*model.transmission);
-      PairEquilibrium           equilibrium(model, compliance, first, turns);
+      PairEquilibrium           equilibrium(model, compliance, turns);
       PairPressure              pressure(compliance,
                             choose_pressure_depth(0., model, the_case.hertz_contact()),
                             cells_across);
-      PenaltyCalibration        calibration(model.contacts.front(), first.front());
+      PenaltyCalibration        calibration(model.contacts.front());
       for (unsigned int i = 0; i < n_turns; i += n_turns / n_positions)
         {
           const PairEquilibriumResult result = equilibrium.solve(turns[i], 1.);
@@ -70,13 +67,11 @@ namespace vfife
     return turns;
   }
 
-  std::vector<double> find_static_errors(Compliance                &compliance,
-                                         const Model               &model,
-                                         const std::vector<double> &penalties,
-                                         const unsigned int         every)
+  std::vector<double>
+  find_static_errors(Compliance &compliance, const Model &model, const unsigned int every)
   {
     const std::vector<double> turns = turns_over_mesh(*model.transmission);
-    PairEquilibrium           equilibrium(model, compliance, penalties, turns);
+    PairEquilibrium           equilibrium(model, compliance, turns);
     std::vector<double>       errors;
     for (std::size_t i = 0; i < turns.size(); i += every)
       errors.push_back(error_of(compliance, equilibrium.solve(turns[i], 1.)));
@@ -114,10 +109,7 @@ namespace vfife
     loaded.mean_stiffness        = found.mean / found.largest;
     for (std::size_t i = 1; i < model.contacts.size(); ++i)
       model.contacts[i].options.penalty.value = found.mean;
-    std::vector<double> penalties;
-    for (const ContactPair &pair : model.contacts)
-      penalties.push_back(pair.options.penalty.value);
-    loaded.spring_errors = find_static_errors(compliance, model, penalties, n_turns / n_positions);
+    loaded.spring_errors = find_static_errors(compliance, model, n_turns / n_positions);
     for (std::size_t i = 0; i < grid_errors.size(); ++i)
       loaded.spring_errors[i] -= grid_errors[i];
     for (unsigned int side = 0; side < 2; ++side)

@@ -36,7 +36,6 @@
 #include <vfife/study/run/pair_probes.h>
 #include <vfife/study/run/pair_results.h>
 #include <vfife/study/run/pair_start.h>
-#include <vfife/study/run/run_penalties.h>
 #include <vfife/study/run/steady_swing.h>
 #include <vfife/study/start_summary.h>
 #include <vfife/study/stress_waves/stress_wave_places.h>
@@ -94,14 +93,14 @@ namespace vfife
                            "modes are damped relative to the momentum's rate of the body");
       }
 
-      void inspect(Communicator &communicator, Log &log) override
+      void inspect(Communicator &, Log &log) override
       {
         const Model model = gear_case_.make_model(log);
         RootStress(model, fillets_);
         check_instants(model);
         log.line("penalty ",
                  gear_case_.leaves_penalty_open() ? "from " : "",
-                 find_penalties(model, communicator, log).front(),
+                 model.contacts.front().options.penalty.value,
                  gear_case_.leaves_penalty_open() ? " N/mm^3 on, by the contact's own grid"
                                                   : " N/mm^3",
                  "; modes below ",
@@ -165,12 +164,6 @@ namespace vfife
         return options_.find_steps(gear_case_.mesh_frequency() * largest_factor(),
                                    cutoff,
                                    output_.history_every);
-      }
-      std::vector<double>
-      find_penalties(const Model &model, const Communicator &communicator, Log &log) const
-      {
-        return find_run_penalties(
-          model, gear_case_, dynamics_, output_.history_every, communicator, log);
       }
       std::vector<std::string> report_checks(const Model &model, Log &log) const
       {
@@ -385,9 +378,8 @@ namespace vfife
       const Communicator &communicator = folder.communicator();
       Model               model        = gear_case_.make_model(log);
       check_instants(model); // before the reduction, which takes longer
-      const auto compliance = settle_penalties(gear_case_, dynamics_, communicator, log, model);
-      const std::vector<double> penalties = find_penalties(model, communicator, log);
-      const double mean_penalty = penalties.front() * model.contacts.front().mean_stiffness;
+      const auto   compliance   = settle_penalties(gear_case_, dynamics_, communicator, log, model);
+      const double mean_penalty = model.contacts.front().mean_penalty();
       std::optional<RootStress> roots;
       if (fillets_.records())
         roots.emplace(model, fillets_);
@@ -413,9 +405,9 @@ namespace vfife
                1e9 * motion.options.step,
                largest_factor() == 1. ? " ns in a tooth mesh"
                                       : " ns in a tooth mesh at the largest speed");
-      ReducedPair        pair(model, std::move(bodies), penalties, motion.options);
+      ReducedPair        pair(model, std::move(bodies), motion.options);
       const NamedFigures at_start =
-        find_start_stresses(model, dynamics_, penalties, compliance.get(), communicator, log);
+        find_start_stresses(model, dynamics_, compliance.get(), communicator, log);
       if (is_motion())
         run_lengths(
           gear_case_,

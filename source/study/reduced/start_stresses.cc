@@ -16,12 +16,11 @@
 
 namespace vfife
 {
-  NamedFigures find_start_stresses(const Model               &model,
-                                   const DynamicsOptions     &dynamics,
-                                   const std::vector<double> &penalties,
-                                   Compliance                *compliance,
-                                   const Communicator        &communicator,
-                                   Log                       &log)
+  NamedFigures find_start_stresses(const Model           &model,
+                                   const DynamicsOptions &dynamics,
+                                   Compliance            *compliance,
+                                   const Communicator    &communicator,
+                                   Log                   &log)
   {
     const auto   start = WallClock::now();
     PartStresses parts(model);
@@ -31,7 +30,7 @@ namespace vfife
         if (compliance == nullptr)
           compliance =
             &own.emplace(model, make_fem_options(dynamics), model.any_body_turns(), communicator);
-        PairEquilibrium           equilibrium(model, *compliance, penalties, {0.});
+        PairEquilibrium           equilibrium(model, *compliance, {0.});
         const std::vector<double> u        = equilibrium.solve(0., 1.).displacements;
         const std::vector<Stress> stresses = compute_node_stresses(compliance->discretization(), u);
         parts.look([&](const unsigned int node) { return von_mises(stresses[node]); });

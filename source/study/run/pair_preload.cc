@@ -96,13 +96,11 @@ namespace vfife
                           communicator_,
                           log_);
     DeflectionProbe probe(model_, communicator_);
-    const double    torque    = load_torque(model_);
-    const auto      penalties = solver_.contact().penalties();
+    const double    torque = load_torque(model_);
     log_.line("equilibrium before the start:");
     std::optional<PairStart> factors;
     if (options_.start_solver == StartSolver::factorization)
-      factors.emplace(
-        model_, options_, relaxation, penalties, std::move(compliance_), communicator_, log_);
+      factors.emplace(model_, options_, relaxation, std::move(compliance_), communicator_, log_);
     // Each equilibrium starts from the one before. Both ways to it have the same result up to their
     // tolerance.
     const auto relax = [&](const char *name, const Relaxation::Loads &loads) {

@@ -30,10 +30,25 @@ namespace vfife
     return fem;
   }
 
+  std::shared_ptr<Compliance> settle_penalties(const Case            &the_case,
+                                               const DynamicsOptions &dynamics,
+                                               const Communicator    &communicator,
+                                               Log                   &log,
+                                               Model                 &model)
+  {
+    if (!needs_calibration(the_case, model))
+      return nullptr;
+    auto compliance = std::make_shared<Compliance>(model,
+                                                   make_fem_options(dynamics),
+                                                   model.any_body_turns(),
+                                                   communicator);
+    calibrate_penalty(the_case, *compliance, log, model);
+    return compliance;
+  }
+
   PairStart::PairStart(const Model                &model,
                        const DynamicsOptions      &options,
                        Relaxation                 &relaxation,
-                       const std::vector<double>  &penalties,
                        std::shared_ptr<Compliance> compliance,
                        const Communicator         &communicator,
                        Log                        &log)
@@ -50,10 +65,9 @@ namespace vfife
                                                  model.any_body_turns(),
                                                  communicator);
     if (options.start == Start::steady_swing && !PairMounting::changes(model))
-      static_errors_ = find_static_errors(*compliance_, model, penalties);
+      static_errors_ = find_static_errors(*compliance_, model);
     // One position, the driver as it stands at time zero: nodes that may touch there are watched.
-    pair_ =
-      std::make_unique<PairEquilibrium>(model, *compliance_, penalties, std::vector<double>(1, 0.));
+    pair_ = std::make_unique<PairEquilibrium>(model, *compliance_, std::vector<double>(1, 0.));
     log.line("  stiffness of ",
              compliance_->n_unknowns(),
              " unknowns factorized",

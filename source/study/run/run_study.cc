@@ -27,7 +27,6 @@
 #include <vfife/study/run/pair_probes.h>
 #include <vfife/study/run/pair_results.h>
 #include <vfife/study/run/pair_start.h>
-#include <vfife/study/run/run_penalties.h>
 #include <vfife/study/run/run_start.h>
 #include <vfife/study/run/run_study.h>
 #include <vfife/study/run/start_kinds.h>
@@ -260,8 +259,7 @@ namespace vfife
     summary.contradictions = report_contradictions(model, stepped, run_time, log);
     // For the report.
     if (output_.pictures)
-      report_nearest_wave_of_run(
-        model, dynamics_, stepped.solver.contact().penalties(), communicator, log, summary);
+      report_nearest_wave_of_run(model, dynamics_, communicator, log, summary);
   }
 
   void RunStudy::inspect(Communicator &communicator, Log &log)
@@ -335,7 +333,8 @@ namespace vfife
         pair->add_observers(observers);
         record_stresses(model, whole_time, communicator, log, observers, *pair);
         pair->record_stress_waves(measure, observers);
-        summary.figures = pair->list_figures(stepped.mean_penalty(model), case_->arm_range());
+        summary.figures =
+          pair->list_figures(model.contacts.front().mean_penalty(), case_->arm_range());
         summary.figures.push_back(
           {"stable step without contact", {1e9 * stepped.solver.element_step(), "ns"}});
       }

@@ -26,7 +26,7 @@ namespace vfife
 {
   namespace
   {
-    /** At rest the step matters to the penalties only. */
+    /** At rest the step matters to points that stick only. */
     double stable_step_itself(const double stable_step)
     {
       return stable_step;

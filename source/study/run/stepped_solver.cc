@@ -74,7 +74,6 @@ namespace vfife
     // Pairs of gears are made to fit.
     if (!model.transmission)
       check_start(model, log);
-    // With it the contact finds its penalties.
     solver.set_step(dt);
   }
 
@@ -107,7 +106,7 @@ namespace vfife
       log.line("contact penalty of the ",
                model.contacts[i].side,
                " side ",
-               penalties[i] * model.contacts[i].mean_stiffness,
+               penalties[i],
                " N/mm^3",
                model.contacts[i].stiffness.empty() ? "" : " in the mean of its points");
     for (const std::string &sentence : solver.walls().describe_penalties())
@@ -119,11 +118,6 @@ namespace vfife
     log.line(vfife.n_congruence_classes(),
              " classes of congruent elements on this rank, kernels for ",
              vfife.instruction_set());
-  }
-
-  double SteppedSolver::mean_penalty(const Model &model)
-  {
-    return solver.contact().penalties().front() * model.contacts.front().mean_stiffness;
   }
 
   double SteppedSolver::expect_run_time(const State &state, const double n_steps)

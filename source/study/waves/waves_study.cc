@@ -24,7 +24,7 @@
 #include <vfife/study/nearest_wave_summary.h>
 #include <vfife/study/reduced/fillet_readings.h>
 #include <vfife/study/reduced/pair_reduction.h>
-#include <vfife/study/run/run_penalties.h>
+#include <vfife/study/run/pair_start.h>
 #include <vfife/study/start_summary.h>
 #include <vfife/study/stress_waves/stress_wave_places.h>
 #include <vfife/study/waves/driven_lines.h>
@@ -312,8 +312,6 @@ namespace vfife
       Model model = gear_case_.make_model(log);
       check_diameters(model);
       settle_penalties(gear_case_, dynamics_, folder.communicator(), log, model);
-      const std::vector<double> penalties = find_run_penalties(
-        model, gear_case_, dynamics_, output_.history_every, folder.communicator(), log);
       const auto                start = WallClock::now();
       std::optional<RootStress> roots;
       if (fillets_.records())
@@ -321,7 +319,7 @@ namespace vfife
       const RootStress *const        looked_at = roots ? &*roots : nullptr;
       const std::vector<ReducedBody> bodies = reduce(model, looked_at, folder.communicator(), log);
       const StressWavePlaces         places(model, looked_at);
-      ReducedPair                    pair(model, bodies, penalties, pair_options());
+      ReducedPair                    pair(model, bodies, pair_options());
       RunSummary                     summary = start_summary("waves", model, folder);
       summary.contradictions = gear_case_.report_checks({&model, &dynamics_, &output_}, log);
       summary.cause          = gear_case_.find_cause();

@@ -25,7 +25,6 @@ namespace
     set slave body        = over
     set slave surface     = x-
     set master body       = under
-    set penalty from step = no
     set penalty           = 100
     set integration       = explicit
     set depth limit       = 1 mm

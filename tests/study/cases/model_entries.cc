@@ -63,7 +63,6 @@ subsection Model
     set slave surface     = z-
     set master body       = under
     set master surface    = z+
-    set penalty from step = no
     set penalty           = 100
     set integration       = explicit
 )" + entries + R"(
@@ -105,7 +104,6 @@ subsection Model
     set slave surface     = outer
     set master body       = under
     set master surface    = z+
-    set penalty from step = no
     set penalty           = 100
     set penetration limit = 1
   end

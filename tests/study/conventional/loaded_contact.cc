@@ -18,29 +18,6 @@ using namespace vfife;
 
 namespace
 {
-  /** What --check says, about the pair of this test as @p kind with @p overrides. */
-  std::string
-  inspect(const std::string &kind, const std::vector<std::string> &overrides, Communicator &world)
-  {
-    CommandLine line;
-    line.parameter_file = "checked_pair.prm";
-    line.check          = true;
-    line.overrides      = overrides;
-    line.overrides.push_back("Study/kind=" + kind);
-    line.overrides.push_back("Output/verbosity=normal");
-    std::ostringstream screen;
-    Log                log(screen, world.is_root());
-    run_study(line, world, log);
-    return screen.str();
-  }
-
-  /** The number behind the words, NaN where they are missing. */
-  double number_behind(const std::string &words, const std::string &text)
-  {
-    const std::size_t found = text.find(words);
-    return found == std::string::npos ? NAN : std::stod(text.substr(found + words.size()));
-  }
-
   /** The analysis of that pair under a torque [N m]. */
   void analyse(const std::string &folder, const double torque, Communicator &world)
   {
@@ -204,32 +181,6 @@ namespace
                     1e-9 * std::abs(here[unloaded][i]));
       }
   }
-
-  /** The run's masses are scaled, and its penalties follow from them. */
-  void mass_scaling(Communicator &world)
-  {
-    std::ofstream("checked_pair.prm") << quick_pair("set web = none", "set rim rows = 2", "1e-5")
-                                      << "subsection Contact\n set penalty from step = yes\nend\n"
-                                         "subsection Dynamics\n set step bound = element\nend\n";
-    const std::string words    = "contact penalty of the drive side ",
-                      own      = "penalty of a run of this file ",
-                      analysis = "loaded tooth contact analysis";
-    const std::string unscaled = inspect("run", {}, world);
-    const double      step     = number_behind("stable step of the elements ", unscaled);
-    check_close("penalty of a run",
-                number_behind(own, inspect(analysis, {}, world)) / number_behind(words, unscaled),
-                1.,
-                1e-5); // digits of the log
-    const std::vector<std::string> scaling = {"Dynamics/mass scaling step=" +
-                                                std::to_string(1.3 * step) + " ns",
-                                              "Dynamics/largest added mass=0.9"};
-    const double                   scaled  = number_behind(words, inspect("run", scaling, world));
-    check("mass scaling changes it", std::abs(scaled / number_behind(words, unscaled) - 1) > 0.05);
-    check_close("penalty of a run with mass scaling",
-                number_behind(own, inspect(analysis, scaling, world)) / scaled,
-                1.,
-                1e-5);
-  }
 } // namespace
 
 int main(int argc, char **argv)
@@ -255,6 +206,5 @@ int main(int argc, char **argv)
   check_pattern();
   check_fields();
   check_stiffness(session.world());
-  mass_scaling(session.world());
   return 0;
 }

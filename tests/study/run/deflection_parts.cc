@@ -374,15 +374,14 @@ namespace
     block.placement.translation[2] = -d0;
     plate.axis                     = {Vector3(axis, 7., -1.), Vector3::UnitY()};
     Transmission t;
-    t.driven_bore      = plate.node_set("z-");
-    t.driven_rim       = plate.node_set("z-");
-    t.driver_teeth     = 1;
-    t.driven_teeth     = 1;
-    t.driven_sense     = 1;
-    model.transmission = t;
-    ContactPair pair   = contact_of("face", "z-", "z+", ContactSurfaceKind::flat_facets);
-    pair.options.penalty.from_step = false;
-    pair.options.penalty.value     = eps;
+    t.driven_bore              = plate.node_set("z-");
+    t.driven_rim               = plate.node_set("z-");
+    t.driver_teeth             = 1;
+    t.driven_teeth             = 1;
+    t.driven_sense             = 1;
+    model.transmission         = t;
+    ContactPair pair           = contact_of("face", "z-", "z+", ContactSurfaceKind::flat_facets);
+    pair.options.penalty.value = eps;
     model.contacts.push_back(pair);
 
     OneSolver run(model, undamped());

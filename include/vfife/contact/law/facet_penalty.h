@@ -2,8 +2,6 @@
 #ifndef vfife_contact_law_facet_penalty_h
 #define vfife_contact_law_facet_penalty_h
 
-#include <vfife/contact/law/penalty_options.h>
-
 namespace vfife
 {
   /** The penalty of contacts of general models is this times E* over h, E* the modulus of what
@@ -15,9 +13,6 @@ namespace vfife
   {
     return facet_penalty_over_stiffness * modulus / width;
   }
-
-  /** Makes it the default: neither taken from the step nor given. */
-  void derive_from_facets(PenaltyOptions &options);
 } // namespace vfife
 
 #endif

@@ -3,25 +3,26 @@
 #define vfife_contact_law_friction_options_h
 
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/contact/law/friction_laws.h>
 
 #include <string>
 
 namespace vfife
 {
-  /** Coulomb's friction with elastic stick, between two bodies or at a rigid wall. */
-  struct FrictionOptions
+  /** Friction with elastic stick, between two bodies or at a rigid wall. */
+  struct FrictionOptions : FrictionNumbers
   {
-    double coefficient = 0.; ///< mu [-]
+    MakeFrictionLaw law = friction_laws().front().second;
     /** Tangential penalty over the normal one [-]. Up to 1 it costs nothing of the step: the
      * point's stiffness in any direction is at most the normal one. */
     double stiffness_ratio = 1.;
-    /** Of the critical gap-rate damping of a surface node, where friction acts [-]: Coulomb's
-     * friction excites the vibrations of elastic bodies (doc/theory/contact.md). */
+    /** Of the critical gap-rate damping of a surface node, where friction acts [-]: friction
+     * excites the vibrations of elastic bodies (doc/theory/contact.md). */
     double damping_ratio = 0.;
 
     bool acts() const
     {
-      return coefficient > 0.;
+      return coefficient > 0. || static_coefficient > 0.;
     }
 
     /** Declares the entries in the subsection entered. */

@@ -3,7 +3,7 @@
 #define vfife_contact_law_surface_interaction_h
 
 #include <vfife/contact/law/contact_law.h>
-#include <vfife/contact/law/coulomb_slider.h>
+#include <vfife/contact/law/friction_law.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,15 +12,15 @@
 namespace vfife
 {
   /** How two surfaces act on each other in a time step: a contact law with its penalty, and what
-   * takes energy away, gap-rate damping and Coulomb friction with elastic stick. */
+   * takes energy away, gap-rate damping and friction with elastic stick. */
   struct SurfaceInteraction
   {
-    const ContactLaw &law;
-    double            penalty;                 ///< [N/mm^3]
-    double            damping            = 0.; ///< pressure per closing speed [N s/mm^3]
-    double            friction           = 0.; ///< coefficient [-]
-    double            tangential_penalty = 0.; ///< of points that stick [N/mm^3]
-    double            tangential_limit =
+    const ContactLaw  &law;
+    double             penalty;                      ///< [N/mm^3]
+    double             damping            = 0.;      ///< pressure per closing speed [N s/mm^3]
+    const FrictionLaw *friction           = nullptr; ///< none: no friction
+    double             tangential_penalty = 0.;      ///< of points that stick [N/mm^3]
+    double             tangential_limit =
       std::numeric_limits<double>::infinity(); ///< that the step bears [N/mm^3]
 
     /** p = max(0, p_elastic - c g') [MPa] with the gap's rate g' [mm/s]: never adhesive. Where the

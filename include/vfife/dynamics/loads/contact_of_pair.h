@@ -50,9 +50,6 @@ namespace vfife
     /** Largest stable step [s] where everything else allows @p step. */
     double vote_on_step(double step) const;
 
-    /** Penalty at the step @p dt [s] [N/mm^3]. */
-    double penalty_for_step(double dt) const;
-
     /** Penetration at which a run is given up [mm]. */
     double penetration_limit() const
     {
@@ -90,9 +87,6 @@ namespace vfife
     double carried_mass_per_area;
 
   private:
-    /** Penalty that central differences bear at the step @p dt [s] [N/mm^3]. */
-    double value_from_step(double dt) const;
-
     double         safety_;
     PenaltyOptions penalty_;
   };

@@ -3,7 +3,7 @@
 #define vfife_dynamics_loads_contact_system_h
 
 #include <vfife/contact/contact_anchor.h>
-#include <vfife/contact/law/coulomb_slider.h>
+#include <vfife/contact/law/friction_law.h>
 #include <vfife/contact/touching_point.h>
 #include <vfife/dynamics/loads/contact_ranks.h>
 #include <vfife/dynamics/rigid_velocity.h>
@@ -48,11 +48,10 @@ namespace vfife
      */
     double vote_on_step(double element_step) const;
 
-    /** Sets the penalties for a step of @p dt [s] (fixed ones, or those that follow from the step).
-     */
-    void set_penalties(double dt);
+    /** Sets the penalties, and the stiffness of points that stick for a step of @p dt [s]. */
+    void set_step(double dt);
 
-    /** Penalty of each pair [N/mm^3]. */
+    /** Penalty of each pair, in the mean of its points [N/mm^3]. */
     std::vector<double> penalties() const;
 
     /** Sentences about slaves that are clearly coarser than their masters: which surface should be

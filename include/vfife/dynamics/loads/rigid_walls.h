@@ -2,7 +2,7 @@
 #ifndef vfife_dynamics_loads_rigid_walls_h
 #define vfife_dynamics_loads_rigid_walls_h
 
-#include <vfife/contact/law/coulomb_slider.h>
+#include <vfife/contact/law/friction_law.h>
 #include <vfife/contact/pressure_solver.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
@@ -39,8 +39,8 @@ namespace vfife
      * stick have their share, 4/dt^2 >= 4/step^2 + k A/m. */
     double vote_on_step(double step) const;
 
-    /** Sets the penalties for a step of @p dt [s]. */
-    void set_penalties(double dt);
+    /** Sets the stiffness of nodes that stick for a step of @p dt [s]. */
+    void set_step(double dt);
 
     /** Sentences: the penalty of each wall. */
     std::vector<std::string> describe_penalties() const;
@@ -156,12 +156,13 @@ namespace vfife
                                : 0.;
       }
 
-      const RigidWall                  *definition;
-      std::unique_ptr<const ContactLaw> law;
-      double                            mass_per_area; ///< least of its nodes [t/mm^2]
-      double                            penalty;       ///< largest [N/mm^3]
-      double                            depth_limit;   ///< see is_too_deep() [mm]
-      std::vector<Node>                 nodes;
+      const RigidWall                   *definition;
+      std::unique_ptr<const ContactLaw>  law;
+      std::unique_ptr<const FrictionLaw> friction_law;
+      double                             mass_per_area; ///< least of its nodes [t/mm^2]
+      double                             penalty;       ///< largest [N/mm^3]
+      double                             depth_limit;   ///< see is_too_deep() [mm]
+      std::vector<Node>                  nodes;
 
       /** Of the last evaluation, this rank. */
       std::vector<Touch> touches;
@@ -202,6 +203,7 @@ namespace vfife
     PressureSolver solver_{0., {}};
     std::vector<TouchingPoint> points_; ///< of one node
     FrictionMode               mode_ = FrictionMode::follows;
+    double                     step_ = 0; ///< of the evaluation [s]; 0: at rest
     /** Of the last evaluation, all ranks: normal force, energy, number of nodes that are too
      * deep, friction loss, power lost in damping. */
     std::array<double, 5> sums_ = {};

@@ -53,7 +53,7 @@ namespace vfife
     /** Stable step of the elements by Dynamics/step bound, without safety and contact [s]. */
     double element_step() const;
 
-    /** The step of the run [s], at most stable_step(). Sets the penalties that follow from it. */
+    /** The step of the run [s], at most stable_step(). Sets the stiffness of points that stick. */
     void set_step(double dt);
 
     /** Undeformed bodies at time zero, turning as rigid bodies at their rates (velocities at

@@ -54,13 +54,11 @@ namespace vfife
   {
   public:
     /**
-     * @p penalties: of the model's contact pairs [N/mm^3]. @p driver_turns: all turns that will be
-     * asked for. Throws InputError where the model is no gear pair, and where its driven body
-     * cannot turn.
+     * @p driver_turns: all turns that will be asked for. Throws InputError where the model is no
+     * gear pair, and where its driven body cannot turn.
      */
     PairEquilibrium(const Model               &model,
                     Compliance                &compliance,
-                    const std::vector<double> &penalties,
                     const std::vector<double> &driver_turns);
     ~PairEquilibrium();
 

@@ -90,9 +90,9 @@ namespace vfife
       double by_turn = 0; ///< change of the gap with the turn of the driven body [mm/rad]
     };
 
-    /** @p penalties: of the model's contact pairs [N/mm^3]. Throws InputError where the model is no
-     * gear pair with contact. The model must outlive the object. */
-    PressedPair(const Model &model, const std::vector<double> &penalties);
+    /** Throws InputError where the model is no gear pair with contact. The model must outlive the
+     * object. */
+    explicit PressedPair(const Model &model);
     ~PressedPair();
 
     /** Gap at the first touch [mm]: 1e-5 arcsec at 100 mm. */

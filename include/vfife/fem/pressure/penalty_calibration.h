@@ -28,8 +28,8 @@ namespace vfife
   class PenaltyCalibration
   {
   public:
-    /** @p pair: of one pass. @p penalty: with which the states of add() were found [N/mm^3]. */
-    PenaltyCalibration(const ContactPair &pair, double penalty);
+    /** @p pair: of one pass, with the penalty with which the states of add() are found. */
+    explicit PenaltyCalibration(const ContactPair &pair);
 
     /** @p contacts under a @p load, and what the grids of these have found. */
     void add(const std::vector<ElasticContact> &contacts,

@@ -2,6 +2,7 @@
 #ifndef vfife_fem_solvers_multigrid_solver_h
 #define vfife_fem_solvers_multigrid_solver_h
 
+#include <vfife/fem/solvers/columns.h>
 #include <vfife/fem/system/assembly.h>
 
 #include <memory>
@@ -9,13 +10,17 @@
 namespace vfife
 {
   /**
-   * Conjugate gradients, preconditioned by smoothed aggregation (ML) whose coarse spaces hold the
-   * rigid motions. For positive definite matrices of an assembly with padded unknowns. Collective.
+   * Conjugate gradients, preconditioned by smoothed aggregation (deal.II's PreconditionAMG) whose
+   * coarse spaces hold the rigid motions. For positive definite matrices of an assembly with padded
+   * unknowns. Collective.
    */
   class MultigridSolver
   {
   public:
-    /** @p near_kernel: owned parts of the six rigid motions of each body. */
+    /**
+     * @p near_kernel: owned parts of the six rigid motions of each body. Throws InputError where
+     * deal.II has no such preconditioner.
+     */
     MultigridSolver(const Assembly                 &assembly,
                     const SparseValues             &values,
                     const std::vector<OwnedVector> &near_kernel);
@@ -33,6 +38,12 @@ namespace vfife
     {
       return n_iterations_;
     }
+
+    /** The matrix. */
+    const ColumnOperator &matrix() const;
+
+    /** One cycle of multigrid: about the inverse of the matrix. */
+    const ColumnOperator &cycle() const;
 
   private:
     struct Operators;

@@ -2,20 +2,28 @@
 #ifndef vfife_fem_solvers_sparse_matrix_h
 #define vfife_fem_solvers_sparse_matrix_h
 
-#include <vfife/fem/system/assembly.h>
+#include <vfife/fem/solvers/columns.h>
 
 #include <memory>
 
+namespace dealii::Utilities::MPI
+{
+  class Partitioner;
+}
+
 namespace vfife
 {
-  /** Products of an assembled matrix with distributed vectors. All functions are collective. */
-  class SparseMatrix
+  /**
+   * Products of an assembled matrix with distributed vectors. Each row is summed in the order of
+   * its columns. All functions are collective.
+   */
+  class SparseMatrix : public ColumnOperator
   {
   public:
+    /** Copies the values other than zero. */
     SparseMatrix(const Assembly &assembly, const SparseValues &values);
-    SparseMatrix(SparseMatrix &&) noexcept;
-    ~SparseMatrix();
 
+    void        apply(const Columns &x, Columns &y) const override;
     OwnedVector apply(const OwnedVector &x) const;
 
     /** x_i^T A y_j, a row for each x. */
@@ -23,10 +31,13 @@ namespace vfife
                             const std::vector<OwnedVector> &y) const;
 
   private:
-    struct Matrix;
+    void multiply(const double *x, double *y) const;
 
-    const Communicator     *communicator_;
-    std::unique_ptr<Matrix> matrix_;
+    const Communicator      *communicator_;
+    std::vector<std::size_t> begin_;   ///< of each own row, and one past the last
+    std::vector<int>         columns_; ///< own rows from 0, columns of other ranks behind them
+    SparseValues             values_;
+    std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner_;
   };
 } // namespace vfife
 

@@ -3,8 +3,8 @@
 #define vfife_study_conventional_loaded_probes_h
 
 #include <vfife/base/text/table.h>
-#include <vfife/element/stress.h>
 #include <vfife/model/model.h>
+#include <vfife/model/state.h>
 
 #include <vector>
 
@@ -36,6 +36,7 @@ namespace vfife
 
   private:
     const Model                    &model_;
+    std::vector<ProbeQuantity>      stresses_;
     std::vector<std::vector<Probe>> copies_; ///< by probe and tooth mesh
     Table                           table_;
   };

@@ -18,12 +18,10 @@ namespace vfife
   std::vector<double> turns_over_mesh(const Transmission &transmission);
 
   /** Static transmission errors under the whole torque at every @p every -th of turns_over_mesh()
-   * [rad]: of the linear bodies on contact springs with @p penalties. Throws NumericalError as
+   * [rad]: of the linear bodies on the contact's springs. Throws NumericalError as
    * PairEquilibrium. Collective. */
-  std::vector<double> find_static_errors(Compliance                &compliance,
-                                         const Model               &model,
-                                         const std::vector<double> &penalties,
-                                         unsigned int               every = 1);
+  std::vector<double>
+  find_static_errors(Compliance &compliance, const Model &model, unsigned int every = 1);
 
   /** Whether calibrate_penalty() has something to do: the case leaves the penalty open, and its
    * contact in one pass has a load. */

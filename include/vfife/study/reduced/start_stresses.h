@@ -20,12 +20,11 @@ namespace vfife
    * the log what it finds, or why nothing. @p compliance: of the model, as PairStart asks for;
    * nullptr: is factorized here. Collective.
    */
-  NamedFigures find_start_stresses(const Model               &model,
-                                   const DynamicsOptions     &dynamics,
-                                   const std::vector<double> &penalties,
-                                   Compliance                *compliance,
-                                   const Communicator        &communicator,
-                                   Log                       &log);
+  NamedFigures find_start_stresses(const Model           &model,
+                                   const DynamicsOptions &dynamics,
+                                   Compliance            *compliance,
+                                   const Communicator    &communicator,
+                                   Log                   &log);
 } // namespace vfife
 
 #endif

@@ -11,9 +11,19 @@
 
 namespace vfife
 {
+  class Case;
+
   /** The conventional elements that are nearest to those of a run, with the masses of its mass
    * points. */
   FemOptions make_fem_options(const DynamicsOptions &options);
+
+  /** Finds the penalties that a case leaves open (calibrate_penalty()) and returns the stiffness of
+   * the pair that was factorized for them; nullptr where nothing is open. Collective. */
+  std::shared_ptr<Compliance> settle_penalties(const Case            &the_case,
+                                               const DynamicsOptions &dynamics,
+                                               const Communicator    &communicator,
+                                               Log                   &log,
+                                               Model                 &model);
 
   /**
    * Equilibrium of a gear pair in the frames that turn with its bodies, found in a few rounds: the
@@ -26,13 +36,11 @@ namespace vfife
   class PairStart
   {
   public:
-    /** @p penalties: of the model's contact pairs [N/mm^3]. @p compliance: of the model with
-     * make_fem_options(), in spin where Model::any_body_turns(); nullptr: is factorized here.
-     * Throws as Compliance and PairEquilibrium. */
+    /** @p compliance: of the model with make_fem_options(), in spin where Model::any_body_turns();
+     * nullptr: is factorized here. Throws as Compliance and PairEquilibrium. */
     PairStart(const Model                &model,
               const DynamicsOptions      &options,
               Relaxation                 &relaxation,
-              const std::vector<double>  &penalties,
               std::shared_ptr<Compliance> compliance,
               const Communicator         &communicator,
               Log                        &log);

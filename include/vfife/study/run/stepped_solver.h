@@ -11,8 +11,7 @@ namespace vfife
 {
   struct RunSummary;
 
-  /** The explicit solver of a model, ready for its first step: the step is chosen and set, and with
-   * it the penalties that follow from it. */
+  /** The explicit solver of a model, ready for its first step: the step is chosen and set. */
   struct SteppedSolver
   {
     Timers         timers;
@@ -31,9 +30,6 @@ namespace vfife
 
     /** What limits the step, the penalties of contact, congruent elements. */
     void log_step(const Model &model, Log &log);
-
-    /** Of the points of the first contact, by the forces of its calibration [N/mm^3]. */
-    double mean_penalty(const Model &model);
 
     /** Seconds that @p n_steps will take, from some evaluations of the internal forces. */
     double expect_run_time(const State &state, double n_steps);

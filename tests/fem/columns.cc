@@ -1,0 +1,94 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Vectors and operators as Anasazi sees them, by Anasazi's own tests; products of a sparse matrix.
+#include "../tests.h"
+
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/mpi_session.h>
+#include <vfife/fem/solvers/column_traits.h>
+#include <vfife/fem/solvers/sparse_matrix.h>
+#include <vfife/fem/system/system_matrices.h>
+#include <vfife/mesh/primitives/primitives.h>
+
+#include <AnasaziBasicOutputManager.hpp>
+#include <AnasaziMVOPTester.hpp>
+
+using namespace vfife;
+
+namespace
+{
+  void traits(const Assembly &assembly, const SparseMatrix &K)
+  {
+    const auto out = Teuchos::rcp(new Anasazi::BasicOutputManager<double>(Anasazi::Warnings));
+    const auto x =
+      Teuchos::rcp(new Columns(assembly.communicator(), assembly.pattern().n_rows(), 3));
+    const auto matrix = Teuchos::rcpFromRef<const ColumnOperator>(K);
+    check("Anasazi's test of vectors", Anasazi::TestMultiVecTraits<double, Columns>(out, x));
+    check("Anasazi's test of operators",
+          Anasazi::TestOperatorTraits<double, Columns, ColumnOperator>(out, x, matrix));
+
+    // Vectors that are not one behind the other, one of them twice.
+    Anasazi::MultiVecTraits<double, Columns>::MvRandom(*x);
+    Columns         view = x->view({2, 0, 2});
+    Eigen::MatrixXd copy;
+    check("a view has the vectors named, in their order",
+          view.matrix(copy).col(0) == (*x)[2] && view.matrix(copy).col(1) == (*x)[0]);
+    const Eigen::MatrixXd all = x->products(*x), some = view.products(*x);
+    check("its products are the same ones",
+          some.row(0) == some.row(2) && (some.row(0) - all.row(2)).norm() < 1e-14 * all.norm());
+    view[1] *= 2.;
+    check("a view shares the memory", std::abs(x->dot(*x)[0] - 4 * all(0, 0)) < 1e-13 * all(0, 0));
+  }
+
+  double distance(const std::vector<double> &a, const std::vector<double> &b)
+  {
+    double largest = 0, size = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      {
+        largest = largest_of(largest, std::abs(a[i] - b[i]));
+        size    = largest_of(size, std::abs(a[i]));
+      }
+    return largest / size;
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  MpiSession          session(argc, argv);
+  const Communicator &world = session.world();
+  const Communicator  alone(MPI_COMM_SELF);
+  if (!world.is_root())
+    std::cout.setstate(std::ios::failbit);
+
+  Model model;
+  model.add_body(Body("wheel", make_ring(20., 40., 6., {{3, 12, 2}}), {}));
+  model.constraints.push_back(
+    {"hub", ConstraintKind::rigid_hub, 0, model.bodies[0].node_set("inner")});
+  const Discretization d(model, {0}, FemElement::incompatible_modes);
+  std::vector<double>  u;
+  for (unsigned int i = 0; i < 3 * d.n_points(); ++i)
+    u.push_back(std::sin(12.9898 * (i + 1)));
+
+  // Forces of the elements, without the matrix; then by the matrix of one rank and of all.
+  std::vector<std::vector<double>> images;
+  for (const Communicator *const ranks : {&alone, &world})
+    {
+      const Assembly       assembly(d, {}, *ranks);
+      const SystemMatrices matrices(assembly, MassKind::consistent, StrainMeasure::biot);
+      const SparseMatrix   K(assembly, matrices.stiffness(constant_rate(0.)));
+      const OwnedVector    q     = assembly.restrict_field(u);
+      const auto           field = assembly.expand(q);
+      if (ranks == &alone)
+        images.push_back(
+          assembly.expand(assembly.vector([&](const unsigned int e) -> Eigen::VectorXd {
+            return compute_fem_stiffness(d.element_nodes(e), d.material(e), d.element()) *
+                   d.gather(e, field);
+          })));
+      images.push_back(assembly.expand(K.apply(q)));
+      if (ranks == &world)
+        traits(assembly, K);
+    }
+  // Round-off of sums of some hundred terms.
+  check_below("product against forces of elements", distance(images[0], images[1]), 1e-13);
+  check_below("product on all ranks against one rank", distance(images[1], images[2]), 1e-14);
+  return 0;
+}
