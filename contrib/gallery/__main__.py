@@ -39,8 +39,7 @@ PAGE, STORE, PICTURES = ROOT / "doc/gallery.md", ROOT / "doc/gallery.json", ROOT
 LARGEST = 150_000  # bytes of a picture
 HEAD = """# Gallery
 
-Each example is one command. Times are processor time on one core, with report and pictures. The picture is from the report of the run.
-`python3 contrib/gallery make` writes this page from runs of these cases. A test compares the page with their stored numbers and repeats some examples.
+Each example is one command. Times are processor time on one core, with report and pictures.
 """
 
 

@@ -59,13 +59,13 @@ ENTRIES = (
            ("unloaded transmission error, peak to peak", "drive side, peak to peak", 3),
            ("play of the gear", "teeth/play of the gear", 4)),
           "Local synthesis proposes blanks and machine settings. The parabola of each tooth pair shows its crowning. Contact passes to "
-          "the next tooth pair where two parabolas cross. [Gears](theory/gear.md)"),
+          "the next tooth pair where two parabolas intersect. [Gears](theory/gear.md)"),
     Entry("measured_flank", "Flanks as measured", "errors/topography.prm", "tca.svg",
           (("transmission error of the drive side, peak to peak", "drive side, peak to peak", 3),
            ("of the coast side, whose flanks have no errors", "coast side, peak to peak", 3),
            ("contact ratio of the drive side", "drive side, contact ratio", 3)),
-          "The gear flank is measured, the pinion flank has five terms of an ease-off. Errors of some micrometres more than treble the "
-          "1.8 arcsec of the designed flanks. [Errors](theory/errors.md)"),
+          "The gear flank is measured, the pinion flank has five terms of an ease-off. Deviations of some micrometres more than treble "
+          "the 1.8 arcsec of the designed flanks. [Errors](theory/errors.md)"),
     Entry("running_pair", "The coarse pair at 20,000 rpm", "spiral_bevel_quick.prm", "teeth_in_mesh.png",
           (("mean transmission error", "dte mean", 3), ("its peak to peak", "dte peak to peak", 2),
            ("mean contact force", "contact force total mean", 3)),
@@ -84,7 +84,7 @@ ENTRIES = (
            ("amplitude of the rim", of_column("waves_lines", "amplitude", value_at(0)), 3)),
           "Mesh order 1 excites the forward wave of four nodal diameters. The reduced pair is computed around the predicted speed; the "
           "fitted peak agrees with the prediction. [Waves](theory/waves.md)"),
-    Entry("root_stress", "Root stress of a tooth through the mesh", "stress/root_stress_quick.prm", "root_stress.svg",
+    Entry("root_stress", "Root stress of a tooth during engagement", "stress/root_stress_quick.prm", "root_stress.svg",
           (("tension in the pinion's root", "pinion root tension", 3), ("tension in the gear's root", "gear root tension", 3),
            ("range of the gear's root", "gear root stress range", 3)),
           "The root has compression as well as tension during one engagement, so the stress range exceeds the tension. "
@@ -106,12 +106,12 @@ ENTRIES = (
            ("mean contact force", "contact force total mean", 3)),
           "Static equilibria over one mesh cycle by conventional finite elements on the same mesh. Run and reduced pair oscillate about "
           "their mean. [Conventional finite elements](theory/fem.md)"),
-    Entry("jumps", "Flanks that part: jumps over speed", "lumped/torsional_pair.prm", "lumped_response.svg",
+    Entry("jumps", "Loss of contact: jumps over speed", "lumped/torsional_pair.prm", "lumped_response.svg",
           (("largest peak to peak of the transmission error", "sweep/largest peak to peak dte", 3),
            ("at the speed", "sweep/at the speed", 4),
            ("largest difference of both directions", "sweep/largest difference of both directions", 3)),
           "With backlash the response has two branches: rising and falling speed follow different ones. [Lumped models](theory/lumped.md)"),
-    Entry("plate", "A mesh of one's own: plate with a hole", "verification/plate_with_hole.prm", "bodies.png",
+    Entry("plate", "An own mesh: plate with a hole", "verification/plate_with_hole.prm", "bodies.png",
           (("stress beside the hole, of 10 MPa far away", of_column("history", "beside stress x", value_at(-1)), 3),
            ("stress ahead of it", of_column("history", "ahead stress y", value_at(-1)), 3),
            ("strain energy", "energy/strain", 4)),
