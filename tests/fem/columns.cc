@@ -1,9 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Vectors and operators as Anasazi sees them, by Anasazi's own tests; products of a sparse matrix.
+#include "../ranks.h"
 #include "../tests.h"
 
-#include <vfife/base/process/communicator.h>
-#include <vfife/base/process/mpi_session.h>
 #include <vfife/fem/solvers/column_traits.h>
 #include <vfife/fem/solvers/sparse_matrix.h>
 #include <vfife/fem/system/system_matrices.h>
@@ -53,11 +52,8 @@ namespace
 
 int main(int argc, char **argv)
 {
-  MpiSession          session(argc, argv);
-  const Communicator &world = session.world();
-  const Communicator  alone(MPI_COMM_SELF);
-  if (!world.is_root())
-    std::cout.setstate(std::ios::failbit);
+  const TestRanks     ranks(argc, argv);
+  const Communicator &world = ranks.world, &alone = ranks.alone;
 
   Model model;
   model.add_body(Body("wheel", make_ring(20., 40., 6., {{3, 12, 2}}), {}));

@@ -1,20 +1,16 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Two ranks find the loaded pair in bearings where one rank finds it.
+#include "../ranks.h"
 #include "../tests.h"
 #include "pair_in_bearings.h"
 
-#include <vfife/base/process/communicator.h>
-#include <vfife/base/process/mpi_session.h>
 
 using namespace vfife;
 
 int main(int argc, char **argv)
 {
-  MpiSession          session(argc, argv);
-  const Communicator &world = session.world();
-  const Communicator  alone(MPI_COMM_SELF);
-  if (!world.is_root())
-    std::cout.setstate(std::ios::failbit);
+  const TestRanks     ranks(argc, argv);
+  const Communicator &world = ranks.world, &alone = ranks.alone;
 
   Matrix5 unlike   = bearing_stiffness(2e5, 3e5, 1e8);
   unlike(1, 1)     = 6e5;

@@ -1,9 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Several ranks give what one rank gives: statics, modes at speed, one sector.
+#include "../ranks.h"
 #include "../tests.h"
 
-#include <vfife/base/process/communicator.h>
-#include <vfife/base/process/mpi_session.h>
 #include <vfife/fem/modes/rotating_body.h>
 #include <vfife/fem/statics/static_solver.h>
 #include <vfife/mesh/primitives/primitives.h>
@@ -12,11 +11,8 @@ using namespace vfife;
 
 int main(int argc, char **argv)
 {
-  MpiSession          session(argc, argv);
-  const Communicator &world = session.world();
-  const Communicator  alone(MPI_COMM_SELF);
-  if (!world.is_root())
-    std::cout.setstate(std::ios::failbit);
+  const TestRanks     ranks(argc, argv);
+  const Communicator &world = ranks.world, &alone = ranks.alone;
 
   Model model;
   model.add_body(Body("wheel", make_ring(20., 40., 6., {{6, 16, 3}}), {}));

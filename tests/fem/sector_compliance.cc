@@ -1,11 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // What bodies do under forces by one of their sectors, beside the factors of the whole bodies.
+#include "../ranks.h"
 #include "../reduced/whole_body.h"
 #include "../tests.h"
 #include "pair_in_bearings.h"
 
 #include <vfife/base/errors.h>
-#include <vfife/base/process/mpi_session.h>
 #include <vfife/fem/statics/compliance.h>
 
 #include <cmath>
@@ -99,10 +99,8 @@ namespace
 
 int main(int argc, char **argv)
 {
-  MpiSession          session(argc, argv);
-  const Communicator &world = session.world();
-  if (!world.is_root())
-    std::cout.setstate(std::ios::failbit);
+  const TestRanks     ranks(argc, argv);
+  const Communicator &world = ranks.world;
 
   for (const double rate : {0., 3000.})
     for (const auto &[name, hub] : {std::pair("led wheel", ConstraintKind::prescribed_rotation),
