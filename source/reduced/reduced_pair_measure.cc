@@ -210,7 +210,7 @@ namespace vfife
         const Body   &bulk = model_.bodies[probe.body];
         const Matrix3 axes =
           compute_cylindrical_axes(bulk,
-                                   bulk.node_positions()[probe.node % reduced.nodes_per_sector]);
+                                   bulk.node_positions()[bulk.structure().first_copy(probe.node)]);
         measured.push_back(
           make_probe_value(axes.transpose() * Eigen::Map<const Vector3>(values.data()),
                            Eigen::Map<const Stress>(values.data() + 3),

@@ -69,9 +69,9 @@ namespace vfife
     }
 
     /**
-     * Penalty [N/mm^3] and the least nodal mass per tributary
-     * area [t/mm^2], which scales the gap-rate damping c = 2 ratio sqrt(eps m/A). Without it (0)
-     * that of PenaltyOptions::mass_per_area_for the step is taken.
+     * Penalty [N/mm^3] and the least nodal mass per tributary area [t/mm^2], which scales the
+     * gap-rate damping c = 2 ratio sqrt(eps m/A). Without it (0) that of
+     * PenaltyOptions::mass_per_area_for the step is taken.
      */
     void set_penalty(double penalty, double mass_per_area = 0.);
     /** From now on the penalty goes with 1/h, h the width of a facet; set_penalty() sets that of

@@ -1,4 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/text/number_text.h>
 #include <vfife/contact/law/friction_laws.h>
 
 #include <cmath>
@@ -13,6 +15,11 @@ namespace vfife
       explicit CoulombFriction(const FrictionNumbers &numbers)
         : coefficient_(numbers.coefficient)
       {
+        if (numbers.static_coefficient > 0.)
+          throw InputError("static friction coefficient",
+                           "expected auto with the friction law \"Coulomb\", got " +
+                             number_text(numbers.static_coefficient) +
+                             ". Set friction law to exponential decay");
       }
 
       double limit(const double pressure, const double /*speed*/) const override
@@ -32,6 +39,14 @@ namespace vfife
         , excess_(numbers.static_coefficient > 0. ? numbers.static_coefficient - kinetic_ : 0.)
         , decay_speed_(numbers.decay_speed)
       {
+        if (excess_ < 0.)
+          throw InputError("static friction coefficient",
+                           "expected at least the friction coefficient " + number_text(kinetic_) +
+                             ", got " + number_text(numbers.static_coefficient));
+        if (!(decay_speed_ > 0.))
+          throw InputError("friction decay speed",
+                           "expected a positive speed with the friction law \"exponential "
+                           "decay\", got 0. Set the slip over which friction falls to mu_k");
       }
 
       double limit(const double pressure, const double speed) const override

@@ -1,6 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
-#include <vfife/base/text/number_text.h>
 #include <vfife/contact/law/friction_options.h>
 
 namespace vfife
@@ -48,20 +47,14 @@ namespace vfife
     const std::string before = section.empty() ? "" : section + "/";
     if (!(coefficient >= 0.))
       throw InputError(before + "friction coefficient", "friction must not be negative");
-    const bool decays = law != friction_laws().front().second;
-    if (!decays && static_coefficient > 0.)
-      throw InputError(before + "static friction coefficient",
-                       "expected auto with the friction law \"Coulomb\", got " +
-                         number_text(static_coefficient) +
-                         ". Set friction law to exponential decay");
-    if (decays && static_coefficient > 0. && static_coefficient < coefficient)
-      throw InputError(before + "static friction coefficient",
-                       "expected at least the friction coefficient " + number_text(coefficient) +
-                         ", got " + number_text(static_coefficient));
-    if (decays && !(decay_speed > 0.))
-      throw InputError(before + "friction decay speed",
-                       "expected a positive speed with the friction law \"exponential decay\", "
-                       "got 0. Set the slip over which friction falls to mu_k");
+    try
+      {
+        law(*this);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(before + error.entry(), error.what());
+      }
     if (!(stiffness_ratio > 0. && stiffness_ratio <= 1.))
       throw InputError(before + "tangential stiffness ratio",
                        "the ratio must be positive and at most 1");

@@ -84,6 +84,7 @@ namespace vfife
           contact_modulus(s.youngs_modulus, s.poissons_ratio, m.youngs_modulus, m.poissons_ratio),
           contact.vary_penalty());
       }
+    contact.set_penalty(penalty_.value, mass_per_area);
     if (!pair.stiffness.empty())
       contact.set_stiffness(pair.stiffness);
     contact.place(model.bodies[pair.slave_body].placement,

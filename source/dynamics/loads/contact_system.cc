@@ -70,10 +70,7 @@ namespace vfife
   void ContactSystem::set_step(const double dt)
   {
     for (const auto &pair : pairs_)
-      {
-        pair->contact.set_penalty(pair->penalty().value, pair->mass_per_area);
-        pair->contact.limit_tangential_penalty(pair->tangential_limit(dt));
-      }
+      pair->contact.limit_tangential_penalty(pair->tangential_limit(dt));
   }
 
   std::vector<double> ContactSystem::penalties() const

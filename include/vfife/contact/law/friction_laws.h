@@ -7,7 +7,7 @@
 
 namespace vfife
 {
-  /** All laws that a user may choose, the default first: a new one is a class and a row here.
+  /** All laws, the default first: a new one is a class and a row. It throws InputError by entry.
    * - Coulomb: limit mu p.
    * - exponential decay: limit mu(v) p with mu(v) = mu_k + (mu_s - mu_k) exp(-v/v_c), v the slip
    *   speed (Abaqus, *FRICTION; Oden and Martins 1985). */

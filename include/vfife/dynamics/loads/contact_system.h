@@ -48,7 +48,7 @@ namespace vfife
      */
     double vote_on_step(double element_step) const;
 
-    /** Sets the penalties, and the stiffness of points that stick for a step of @p dt [s]. */
+    /** Limits the stiffness of points that stick to what a step of @p dt [s] bears. */
     void set_step(double dt);
 
     /** Penalty of each pair, in the mean of its points [N/mm^3]. */
