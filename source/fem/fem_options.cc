@@ -18,22 +18,37 @@ namespace vfife
      * of lambda |M x|: |M x| is the root of a node's mass [t], 1e-4 to 1e-2 in bodies of machines.
      */
     constexpr double loosest_of_lobpcg = 1e-5;
+
+    void declare_elements(FemOptions &options, dealii::ParameterHandler &prm)
+    {
+      declare_choice(
+        prm,
+        "element",
+        options.element,
+        fem_element_choices(),
+        "Eight nodes with incompatible modes or plain (locks in bending), or degree 2 (27 points) "
+        "or 3 (64 points)");
+      declare_choice(prm,
+                     "geometry",
+                     options.geometry,
+                     fem_geometry_choices(),
+                     "Of quadratic and cubic elements: straight edges between nodes, or edges and "
+                     "faces on the true surfaces");
+      declare_choice(
+        prm, "mass", options.mass, mass_choices(), "Mass matrix of vibrations and of spin");
+      declare_choice(
+        prm,
+        "strain measure",
+        options.strain,
+        strain_measure_choices(),
+        "Of bodies in spin: the linear strain in turned axes, as in explicit dynamics, "
+        "or Green's, as other programs take");
+    }
   } // namespace
 
   void FemOptions::declare(dealii::ParameterHandler &prm)
   {
-    declare_choice(prm,
-                   "element",
-                   element,
-                   fem_element_choices(),
-                   "Eight nodes with incompatible modes or plain (locks in bending), or 27 nodes");
-    declare_choice(prm, "mass", mass, mass_choices(), "Mass matrix of vibrations and of spin");
-    declare_choice(prm,
-                   "strain measure",
-                   strain,
-                   strain_measure_choices(),
-                   "Of bodies in spin: the linear strain in turned axes, as in explicit dynamics, "
-                   "or Green's, as other programs take");
+    declare_elements(*this, prm);
     declare_choice(prm,
                    "linear solver",
                    linear_solver,
@@ -118,9 +133,11 @@ namespace vfife
       {
         throw InputError(section + "/speeds", error.what());
       }
-    if (cyclic_symmetry && element == FemElement::quadratic)
-      throw InputError(section + "/cyclic symmetry",
-                       "cyclic symmetry is there for elements with 8 nodes only");
+    if (geometry == FemGeometry::curved && degree_of(element) == 1)
+      throw InputError(section + "/geometry",
+                       "expected straight, got curved: elements with 8 nodes have straight edges. "
+                       "Set " +
+                         section + "/element = quadratic or cubic.");
     if (eigen_solver == EigenSolverKind::lobpcg && eigen_tolerance > loosest_of_lobpcg)
       throw InputError(section + "/eigenvalue tolerance",
                        "with \"lobpcg\" at most 1e-5: it measures the residual by a shape of modal "

@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/bearing/mean_motion.h>
-#include <vfife/fem/system/discretization.h>
+#include <vfife/fem/system/fem_space.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>
 #include <vfife/model/load_shares.h>

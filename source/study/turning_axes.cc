@@ -74,7 +74,7 @@ namespace vfife
 
   void warn_of_averaged_bearings(const Model &model, const unsigned int body, Log &log)
   {
-    const Discretization  d(model, {body}, FemElement::incompatible_modes);
+    const FemSpace        d(model, {body}, FemElement::incompatible_modes);
     const BearingRings    rings(d);
     const Eigen::MatrixXd K    = rings.stiffness([](unsigned int) { return 0.; }),
                           mean = rings.mean_over_turns(K, [](unsigned int) { return 1.; });

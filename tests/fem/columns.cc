@@ -59,8 +59,8 @@ int main(int argc, char **argv)
   model.add_body(Body("wheel", make_ring(20., 40., 6., {{3, 12, 2}}), {}));
   model.constraints.push_back(
     {"hub", ConstraintKind::rigid_hub, 0, model.bodies[0].node_set("inner")});
-  const Discretization d(model, {0}, FemElement::incompatible_modes);
-  std::vector<double>  u;
+  const FemSpace      d(model, {0}, FemElement::incompatible_modes);
+  std::vector<double> u;
   for (unsigned int i = 0; i < 3 * d.n_points(); ++i)
     u.push_back(std::sin(12.9898 * (i + 1)));
 

@@ -115,12 +115,16 @@ namespace
     }
   }
 
-  ElementNodes middles(const HexahedronNodes &corners)
+  /** All points of an element between its corners. */
+  ElementNodes points_of(const HexahedronNodes &corners, const FemElement element)
   {
-    ElementNodes all(3, 27);
-    for (unsigned int a = 0; a < 27; ++a)
-      all.col(a) = corners * shape_functions(
-                               Vector3(a % 3 - 1., a / 3 % 3 - 1., static_cast<int>(a / 9) - 1.));
+    const std::vector<double> places = places_along(degree_of(element));
+    const std::size_t         n      = places.size();
+    ElementNodes              all(3, n * n * n);
+    for (std::size_t a = 0; a < n * n * n; ++a)
+      all.col(a) = corners * shape_functions(Vector3(2. * places[a % n] - 1.,
+                                                     2. * places[a / n % n] - 1.,
+                                                     2. * places[a / (n * n)] - 1.));
     return all;
   }
 
@@ -130,23 +134,19 @@ namespace
   {
     const Material steel;
     for (const StrainMeasure measure : measures)
-      for (const FemElement element :
-           {FemElement::incompatible_modes, FemElement::full, FemElement::quadratic})
+      for (const auto &choice : fem_element_choices())
         {
+          const FemElement      element = choice.second;
           Samples               samples;
           const HexahedronNodes corners = samples.hexahedron(Vector3(3., 1., 2.), .1);
-          const ElementNodes    X =
-            element == FemElement::quadratic ? middles(corners) : ElementNodes(corners);
-          const int             n     = X.size();
-          const Eigen::MatrixXd K     = compute_fem_stiffness(X, steel, element);
-          const double          size  = K.cwiseAbs().maxCoeff();
+          const ElementNodes    X       = points_of(corners, element);
+          const int             n       = X.size();
+          const Eigen::MatrixXd K       = compute_fem_stiffness(X, steel, element);
+          const double          size    = K.cwiseAbs().maxCoeff();
           const auto            state = [&](const Eigen::VectorXd &u, const bool tangent = false) {
             return compute_element_state(X, steel, element, measure, u, tangent);
           };
-          std::string name = name_of(measure);
-          for (const auto &choice : fem_element_choices())
-            if (choice.second == element)
-              name += ", " + choice.first;
+          const std::string name = name_of(measure) + ", " + choice.first;
           check_below(name + ": tangent at rest",
                       (state(Eigen::VectorXd::Zero(n), true).tangent - K).cwiseAbs().maxCoeff() /
                         size,
@@ -233,7 +233,7 @@ namespace
     const RotatingBody rotating(model, 0, options, communicator);
     const ModesAtSpeed at_rest = rotating.find_modes(0.), spun = rotating.find_modes(rate);
 
-    const Discretization &d = rotating.discretization();
+    const FemSpace       &d = rotating.space();
     const Assembly        assembly(d, {}, communicator);
     const ModalSolver     solver(assembly, options);
     const SystemMatrices &matrices = solver.matrices();
@@ -299,15 +299,15 @@ namespace
       if (body.node_positions()[i].head<2>().norm() < 20.1)
         hub.nodes.push_back(i);
     model.constraints.push_back(hub);
-    FemOptions            options;
-    const double          rate  = 3000.;
-    const auto            rates = [rate](unsigned int) { return rate; };
-    const RotatingBody    rotating(model, 0, options, communicator);
-    const Discretization &d = rotating.discretization();
-    const Assembly        assembly(d, {}, communicator);
-    const SystemMatrices  matrices(assembly, options.mass, options.strain);
-    const auto            u = rotating.find_equilibrium(rate);
-    std::vector<double>   turn(u.size());
+    FemOptions           options;
+    const double         rate  = 3000.;
+    const auto           rates = [rate](unsigned int) { return rate; };
+    const RotatingBody   rotating(model, 0, options, communicator);
+    const FemSpace      &d = rotating.space();
+    const Assembly       assembly(d, {}, communicator);
+    const SystemMatrices matrices(assembly, options.mass, options.strain);
+    const auto           u = rotating.find_equilibrium(rate);
+    std::vector<double>  turn(u.size());
     for (unsigned int p = 0; p < d.n_points(); ++p)
       Eigen::Map<Vector3>(turn.data() + 3 * p) =
         Vector3::UnitZ().cross(d.points()[p] + Eigen::Map<const Vector3>(u.data() + 3 * p));

@@ -161,7 +161,7 @@ namespace
           model.constraints.push_back(far);
         }
       compliance = std::make_unique<Compliance>(model, FemOptions(), false, communicator);
-      const Discretization     &d = compliance->discretization();
+      const FemSpace           &d = compliance->space();
       std::vector<unsigned int> points;
       for (unsigned int b = 0; b < 2; ++b)
         {

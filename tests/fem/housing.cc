@@ -89,7 +89,7 @@ namespace
   class Dense
   {
   public:
-    Dense(const Model &model, const Discretization &points)
+    Dense(const Model &model, const FemSpace &points)
       : model_(model)
       , n_(3 * points.n_points())
       , K(Eigen::MatrixXd::Zero(n_ + 6 * model.bearings.size(), n_ + 6 * model.bearings.size()))
@@ -174,7 +174,7 @@ namespace
 
   private:
     /** Of the ring's centre, six rows over all unknowns. */
-    Eigen::MatrixXd motion(const Discretization            &points,
+    Eigen::MatrixXd motion(const FemSpace                  &points,
                            const unsigned int               b,
                            const std::vector<unsigned int> &nodes) const
     {
@@ -231,9 +231,9 @@ namespace
     std::vector<unsigned int> all(model.bodies.size());
     for (unsigned int b = 0; b < all.size(); ++b)
       all[b] = b;
-    const Discretization points(model, all, FemElement::incompatible_modes);
-    const Dense          dense(model, points);
-    Eigen::VectorXd      nodal(3 * points.n_points());
+    const FemSpace  points(model, all, FemElement::incompatible_modes);
+    const Dense     dense(model, points);
+    Eigen::VectorXd nodal(3 * points.n_points());
     for (unsigned int i = 0; i < points.n_points(); ++i)
       nodal.segment<3>(3 * i) = loads.nodal_forces[i];
     const int             n = result.displacements.size();
@@ -243,7 +243,7 @@ namespace
       (Eigen::Map<const Eigen::VectorXd>(result.displacements.data(), n) - x.head(n)).norm() /
         x.head(n).norm(),
       1e-8);
-    const auto reactions = compute_reactions(solver.discretization(), result);
+    const auto reactions = compute_reactions(solver.space(), result);
     const auto first     = first_bearing(model);
     double     apart = 0, largest = 0;
     for (std::size_t s = 0; s < model.bearings.size(); ++s)
@@ -262,8 +262,8 @@ namespace
     Model model = make_shafts(1);
     compare("two bearings", model, {0}, world);
 
-    const Discretization points(model, {0}, FemElement::incompatible_modes);
-    FemOptions           fem;
+    const FemSpace points(model, {0}, FemElement::incompatible_modes);
+    FemOptions     fem;
     fem.n_modes                        = 6;
     const Eigen::VectorXd     expected = Dense(model, points).frequencies();
     const ModesAtSpeed        found    = RotatingBody(model, 0, fem, world).find_modes(0.);
@@ -317,7 +317,7 @@ namespace
     Model model = make_shafts(2);
     add_bearing(model, 60., 70., 5e4, Vector5::Zero());
     model.housing = make_housing(3);
-    const Discretization   points(model, {0, 1}, FemElement::incompatible_modes);
+    const FemSpace         points(model, {0, 1}, FemElement::incompatible_modes);
     const BearingRings     rings(points);
     const auto             at_rest = [](unsigned int) { return 0.; };
     const Eigen::MatrixXd  K       = rings.stiffness(at_rest);

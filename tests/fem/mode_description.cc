@@ -40,11 +40,11 @@ namespace
   ModeDescription describe(const std::function<Components(double, double)> &shape,
                            const double                                     sense = 1.)
   {
-    const Model          model = make_model(sense);
-    const Discretization d(model, {0}, FemElement::incompatible_modes);
-    const Axis          &axis = model.bodies[0].axis;
-    const Vector3        e1 = axis.direction.unitOrthogonal(), e2 = axis.direction.cross(e1);
-    std::vector<double>  real, imaginary;
+    const Model         model = make_model(sense);
+    const FemSpace      d(model, {0}, FemElement::incompatible_modes);
+    const Axis         &axis = model.bodies[0].axis;
+    const Vector3       e1 = axis.direction.unitOrthogonal(), e2 = axis.direction.cross(e1);
+    std::vector<double> real, imaginary;
     for (const Vector3 &x : d.points())
       {
         const Vector3 r         = x - axis.point;
@@ -155,8 +155,8 @@ namespace
   {
     Model model;
     model.add_body(Body("block", make_block(Vector3(3., 2., 1.), {{3, 2, 1}}), Material()));
-    const Discretization d(model, {0}, FemElement::incompatible_modes);
-    std::vector<double>  shape;
+    const FemSpace      d(model, {0}, FemElement::incompatible_modes);
+    std::vector<double> shape;
     for (unsigned int n = 0; n < d.n_points(); ++n)
       for (const double u : {0., 0., 1.})
         shape.push_back(u);

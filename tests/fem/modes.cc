@@ -18,8 +18,8 @@ namespace
 {
   ModalResult solve(const Model &model, const FemOptions &options, const Communicator &communicator)
   {
-    const Discretization d(model, {0}, options.element);
-    Unknowns::Options    unknowns;
+    const FemSpace    d(model, {0}, options.element);
+    Unknowns::Options unknowns;
     unknowns.padded = ModalSolver::needs_padding(options);
     const Assembly assembly(d, unknowns, communicator);
     return ModalSolver(assembly, options).solve();
@@ -43,10 +43,9 @@ namespace
   {
     for (const auto &choice : fem_element_choices())
       {
-        const bool  quadratic = choice.second == FemElement::quadratic;
-        const Model model     = make_plate(quadratic ? std::array<unsigned int, 3>{{6, 48, 1}}
-                                                 : std::array<unsigned int, 3>{{12, 72, 1}});
-        FemOptions  options;
+        const std::array<unsigned int, 3> cells[] = {{{12, 72, 1}}, {{6, 48, 1}}, {{4, 32, 1}}};
+        const Model                       model   = make_plate(cells[degree_of(choice.second) - 1]);
+        FemOptions                        options;
         options.element           = choice.second;
         options.n_modes           = 9;
         const ModalResult result  = solve(model, options, communicator);
@@ -54,8 +53,8 @@ namespace
         const double      bending = m.youngs_modulus / (12. * (1. - .09)); // thickness 1
         const double      scale   = std::sqrt(bending / m.density) / (2. * pi * 100. * 100.);
         check("modes are counted", result.counted);
-        const Discretization d(model, {0}, options.element);
-        const ModeDescriber  describer(d, d.parts()[0]);
+        const FemSpace      d(model, {0}, options.element);
+        const ModeDescriber describer(d, d.parts()[0]);
         for (unsigned int k = 0; k < 9; ++k)
           {
             const ModeDescription description = describer.describe(result.modes[k].shape);
@@ -110,11 +109,11 @@ namespace
   {
     const Model plate = make_plate({{4, 30, 1}});
     FemOptions  options;
-    options.n_modes             = 9;
-    const Model          model  = make_shuffled_plate(plate);
-    const ModalResult    result = solve(model, options, communicator);
-    const Discretization d(model, {0}, options.element);
-    const ModeDescriber  describer(d, d.parts()[0]);
+    options.n_modes            = 9;
+    const Model         model  = make_shuffled_plate(plate);
+    const ModalResult   result = solve(model, options, communicator);
+    const FemSpace      d(model, {0}, options.element);
+    const ModeDescriber describer(d, d.parts()[0]);
     for (unsigned int k = 0; k < 9; ++k)
       {
         const ModeDescription description = describer.describe(result.modes[k].shape);
@@ -156,12 +155,12 @@ namespace
     FemOptions options;
     options.element = element;
     options.n_modes = 10;
-    const Discretization d(model, {0}, element);
-    const Assembly       assembly(d, {}, communicator);
-    const ModalSolver    solver(assembly, options);
-    SparseValues         K        = solver.matrices().stiffness(constant_rate(0.));
-    const OwnedVector    diagonal = assembly.diagonal(K);
-    const double         spring   = 1e3 * *std::max_element(diagonal.begin(), diagonal.end());
+    const FemSpace    d(model, {0}, element);
+    const Assembly    assembly(d, {}, communicator);
+    const ModalSolver solver(assembly, options);
+    SparseValues      K        = solver.matrices().stiffness(constant_rate(0.));
+    const OwnedVector diagonal = assembly.diagonal(K);
+    const double      spring   = 1e3 * *std::max_element(diagonal.begin(), diagonal.end());
     std::vector<std::pair<unsigned int, Matrix3>> springs;
     for (unsigned int p = 0; p < d.n_points(); ++p)
       {

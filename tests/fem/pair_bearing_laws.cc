@@ -60,7 +60,7 @@ namespace
         Compliance      compliance(model, lumped_masses(), false, world);
         PairEquilibrium equilibrium(model, compliance, {.1});
         const auto      result = equilibrium.solve(.1, 1.);
-        errors[twin]           = transmission_errors(compliance.discretization(), result);
+        errors[twin]           = transmission_errors(compliance.space(), result);
         check("rolling: few iterations", result.iterations <= 15);
         check_below("rolling: forces of each body", unbalanced(model, result), 1e-6);
         check_below("rolling: moments of each body",
@@ -105,9 +105,7 @@ namespace
                                                free,
                                                model.torques.front().value);
         check_close("press() finds the same",
-                    lead_of_driven(compliance.discretization(),
-                                   pressed.turn,
-                                   pressed.displacements) /
+                    lead_of_driven(compliance.space(), pressed.turn, pressed.displacements) /
                       errors[0].loaded,
                     1.,
                     1e-7);
@@ -165,8 +163,7 @@ namespace
           std::swap(model.bearings[2], model.bearings[3]);
         Compliance      compliance(model, lumped_masses(), false, world);
         PairEquilibrium equilibrium(model, compliance, {0.});
-        errors.push_back(
-          transmission_errors(compliance.discretization(), equilibrium.solve(0., 1.)));
+        errors.push_back(transmission_errors(compliance.space(), equilibrium.solve(0., 1.)));
       }
     // It carries what the moments about displaced and undisplaced axes differ by, some 1e-4 of the
     // load, and that twists the bodies by this part of their windup.
@@ -188,8 +185,8 @@ namespace
     bearing.axes  = axes_along(ring.axis.direction);
     bearing.law   = linear_bearing(bearing_stiffness(1e5, 1e2, 1e8));
     model.bearings.push_back(bearing);
-    const Discretization points(model, {0}, FemElement::full);
-    const auto           motions = find_free_motions(points, points.parts().front());
+    const FemSpace points(model, {0}, FemElement::full);
+    const auto     motions = find_free_motions(points, points.parts().front());
     check("one motion is free", motions.size() == 1);
     double off = 0, largest = 0;
     for (std::size_t p = 0; p < points.n_points(); ++p)

@@ -106,11 +106,11 @@ struct Errors
   double unloaded, loaded, slope;
 };
 
-inline Errors transmission_errors(const vfife::Discretization        &discretization,
+inline Errors transmission_errors(const vfife::FemSpace              &space,
                                   const vfife::PairEquilibriumResult &result)
 {
   const auto error = [&](const double turn, const std::vector<double> &u) {
-    return lead_of_driven(discretization, turn, u);
+    return lead_of_driven(space, turn, u);
   };
   return {error(result.touch_turn, result.touch_displacements),
           error(result.turn, result.displacements),

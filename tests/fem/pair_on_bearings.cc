@@ -48,7 +48,7 @@ namespace
               const std::vector<Vector3>    &ring_centres,
               const Eigen::MatrixXd         &stiffness, ///< of all bearings
               const double                   driver_turn,
-              const Discretization          &points,
+              const FemSpace                &points,
               const std::vector<ContactTie> &ties)
       : model_(model)
     {
@@ -196,9 +196,9 @@ namespace
                          ring_centres(compliance),
                          apart({soft_front, soft_back, soft_back, soft_front}),
                          0.,
-                         compliance.discretization(),
+                         compliance.space(),
                          result.ties);
-    const Errors     errors = transmission_errors(compliance.discretization(), result);
+    const Errors     errors = transmission_errors(compliance.space(), result);
     check_close("slope of the transmission error",
                 errors.slope / hand.transmission_error(hand.solve()),
                 1.,
@@ -258,12 +258,8 @@ namespace
         PairEquilibrium equilibrium(model, compliance, {0.});
         const auto      result      = equilibrium.solve(0., 1.);
         const auto      frequencies = [&](const Eigen::MatrixXd &stiffness) {
-          return RigidPair(model,
-                           ring_centres(compliance),
-                           stiffness,
-                           0.,
-                           compliance.discretization(),
-                           result.ties)
+          return RigidPair(
+                   model, ring_centres(compliance), stiffness, 0., compliance.space(), result.ties)
             .frequencies();
         };
         const std::vector<double> expected = frequencies(joined), without = frequencies(own);
@@ -296,7 +292,7 @@ namespace
         Compliance      compliance(model, lumped_masses(), spinning, world);
         PairEquilibrium equilibrium(model, compliance, {0.});
         const auto      result = equilibrium.solve(0., 1.);
-        slopes.push_back(transmission_errors(compliance.discretization(), result).slope);
+        slopes.push_back(transmission_errors(compliance.space(), result).slope);
         check("spinning bodies: few iterations", result.iterations <= 8);
         check_below("spinning bodies: forces of each body", unbalanced(model, result), 1e-6);
       }
@@ -338,7 +334,7 @@ namespace
       Compliance      compliance(model, lumped_masses(), false, world);
       PairEquilibrium equilibrium(model, compliance, {0.});
       const auto      result = equilibrium.solve(0., 1.);
-      const Errors    errors = transmission_errors(compliance.discretization(), result);
+      const Errors    errors = transmission_errors(compliance.space(), result);
       ideal                  = errors.loaded - errors.unloaded;
     }
     std::vector<double> windup, energy;
@@ -350,7 +346,7 @@ namespace
         Compliance      compliance(model, lumped_masses(), false, world);
         PairEquilibrium equilibrium(model, compliance, {0.});
         const auto      result = equilibrium.solve(0., 1.);
-        const Errors    errors = transmission_errors(compliance.discretization(), result);
+        const Errors    errors = transmission_errors(compliance.space(), result);
         windup.push_back(errors.loaded - errors.unloaded);
         // Twice the energy of the bearings over the torque, as a turn. What the coupling is wound
         // up by turns the driver's bore, and is no error.
@@ -392,18 +388,18 @@ namespace
     for (const double turn : turns)
       {
         const auto      result = equilibrium.solve(turn, 1.);
-        const Errors    errors = transmission_errors(compliance.discretization(), result);
+        const Errors    errors = transmission_errors(compliance.space(), result);
         const RigidPair hand(model,
                              ring_centres(compliance),
                              apart({unlike, unlike, soft_back, unlike}),
                              turn,
-                             compliance.discretization(),
+                             compliance.space(),
                              result.ties);
         const RigidPair mean(model,
                              ring_centres(compliance),
                              apart({in_mean, in_mean, soft_back, in_mean}),
                              turn,
-                             compliance.discretization(),
+                             compliance.space(),
                              result.ties);
         check_close("unlike axes: slope of the transmission error",
                     errors.slope / hand.transmission_error(hand.solve()),
@@ -440,7 +436,7 @@ namespace
     ring.placement.translation = Vector3(4., 1., -9.);
     ring.axis = {ring.placement(Vector3(0., 0., 5.)), ring.placement.rotation.col(2)};
     model.add_body(std::move(ring));
-    const Discretization      d(model, {0}, FemElement::full);
+    const FemSpace            d(model, {0}, FemElement::full);
     const Body               &body = model.bodies[0];
     std::vector<double>       u;
     std::vector<unsigned int> nodes;

@@ -107,10 +107,12 @@ namespace
   }
 
   /** A wheel on a hub that turns freely, placed with its mesh's z along that of @p rotation. */
-  Model make_wheel(const Matrix3 &rotation, const Vector3 &axis)
+  Model make_wheel(const Matrix3                     &rotation,
+                   const Vector3                     &axis,
+                   const std::array<unsigned int, 3> &cells = {{4, 12, 3}})
   {
     Model model;
-    Body  wheel("wheel", make_ring(20., 40., 3., {{4, 12, 3}}), {});
+    Body  wheel("wheel", make_ring(20., 40., 3., cells), {});
     wheel.placement.rotation    = rotation;
     wheel.placement.translation = Vector3(7., -5., 3.);
     // Any point of the axis will do.
@@ -125,12 +127,14 @@ namespace
   void sector(const Model               &model,
               const std::vector<bool>   &with_coriolis,
               const std::vector<double> &rates,
-              const Communicator        &communicator)
+              const Communicator        &communicator,
+              const FemElement           element = FemElement::incompatible_modes)
   {
     for (const bool coriolis : with_coriolis)
       for (const double rate : rates)
         {
           FemOptions options;
+          options.element          = element;
           options.coriolis         = coriolis;
           options.n_modes          = 16;
           const ModesAtSpeed all   = RotatingBody(model, 0, options, communicator).find_modes(rate);
@@ -213,6 +217,9 @@ namespace
     sector(make_wheel(Matrix3::Identity(), -z), {true}, {3000.}, communicator);
     const Matrix3 turn = rotation_about(Vector3(1., 2., -1.).normalized(), 1.);
     sector(make_wheel(turn, turn * z), {true}, {3000.}, communicator);
+    for (const FemElement element : {FemElement::quadratic, FemElement::cubic})
+      sector(
+        make_wheel(turn, turn * z, {{2, 12, 1}}), {false, true}, {3000.}, communicator, element);
     // Spin about another line is not the same for all sectors, nor is a hub.
     const auto refuses = [&communicator](const Model &model) {
       FemOptions options;

@@ -39,11 +39,16 @@ namespace
 
   /** Both ways: state of spin, answer to the torque, to forces everywhere and to unit forces at
    * nodes of some sectors. */
-  void compare(const std::string &name, const Model &model, const Communicator &communicator)
+  void compare(const std::string  &name,
+               const Model        &model,
+               const Communicator &communicator,
+               const FemElement    element = FemElement::incompatible_modes)
   {
     const bool spins = model.bodies[0].rate != 0;
-    Compliance sectors(model, {}, spins, communicator),
-      bodies(model, {}, spins, communicator, Factorized::bodies);
+    FemOptions options;
+    options.element = element;
+    Compliance sectors(model, options, spins, communicator),
+      bodies(model, options, spins, communicator, Factorized::bodies);
     check(name + ": by sectors", sectors.by_sectors() && !bodies.by_sectors());
     check(name + ": unknowns", sectors.n_unknowns() == bodies.n_unknowns());
     // Found by Newton's method to 1e-7.
@@ -107,6 +112,16 @@ int main(int argc, char **argv)
                                     std::pair("free wheel", ConstraintKind::free_rotation),
                                     std::pair("wheel on a rigid hub", ConstraintKind::rigid_hub)})
       compare(std::string(name) + (rate > 0 ? " in spin" : ""), make_wheel(hub, rate), world);
+  for (const FemElement element : {FemElement::quadratic, FemElement::cubic})
+    for (const double rate : {0., 3000.})
+      compare("wheel of degree " + std::to_string(degree_of(element)),
+              make_wheel(ConstraintKind::free_rotation, rate, {{2, 12, 1}}),
+              world,
+              element);
+  compare("quadratic pinion",
+          make_pinion(ConstraintKind::prescribed_rotation, 0., world),
+          world,
+          FemElement::quadratic);
   compare("pinion", make_pinion(ConstraintKind::prescribed_rotation, 2000., world), world);
   compare("free pinion", make_pinion(ConstraintKind::free_rotation, 2000., world), world);
 

@@ -69,10 +69,10 @@ namespace
    */
   void patch_test(const FemElement element, const Communicator &communicator)
   {
-    const Model          model = make_block_model(3, .15, {});
-    const Discretization d(model, {0}, element);
-    const Assembly       assembly(d, {}, communicator);
-    Matrix3              gradient;
+    const Model    model = make_block_model(3, .15, {});
+    const FemSpace d(model, {0}, element);
+    const Assembly assembly(d, {}, communicator);
+    Matrix3        gradient;
     gradient << 1e-3, 2e-4, -3e-4, 5e-4, -4e-4, 1e-4, 2e-4, 6e-4, 7e-4;
     std::vector<double> u;
     for (const Vector3 &x : d.points())
@@ -158,9 +158,9 @@ namespace
     loads.body_force = [&](const Vector3 &x) {
       return manufactured_force(x, model.bodies[0].materials().front());
     };
-    const StaticResult    result = solver.solve(loads);
-    const Discretization &d      = solver.discretization();
-    double                square = 0, reference = 0;
+    const StaticResult result = solver.solve(loads);
+    const FemSpace    &d      = solver.space();
+    double             square = 0, reference = 0;
     for (unsigned int e = 0; e < d.n_elements(); ++e)
       {
         const Eigen::VectorXd                u = d.gather(e, result.displacements);
@@ -180,13 +180,13 @@ namespace
   {
     for (const auto &choice : fem_element_choices())
       {
-        const bool   quadratic = choice.second == FemElement::quadratic;
-        const double coarse    = error_of(quadratic ? 3 : 4, choice.second, .15, communicator);
-        const double fine      = error_of(quadratic ? 6 : 8, choice.second, .15, communicator);
-        // Order 2 for linear and 3 for quadratic displacements; 0.3 for the coarse meshes.
+        const unsigned int degree = degree_of(choice.second), n = 5 - degree;
+        const double       coarse = error_of(n, choice.second, .15, communicator);
+        const double       fine   = error_of(2 * n, choice.second, .15, communicator);
+        // One more than the degree; 0.3 for the coarse meshes.
         check_close("order of convergence, " + choice.first,
                     std::log2(coarse / fine),
-                    quadratic ? 3. : 2.,
+                    degree + 1.,
                     .3);
       }
   }
@@ -315,9 +315,9 @@ namespace
     torque.nodes = bar.node_set("top");
     torque.areas = compute_nodal_areas(bar, torque.nodes);
     torque.value = 1e5;
-    const Discretization discretization(model, {0}, FemElement::incompatible_modes);
-    std::vector<double>  forces(3 * discretization.n_points(), 0.);
-    add_torque_forces(torque, discretization, discretization.parts()[0], torque.value, forces);
+    const FemSpace      space(model, {0}, FemElement::incompatible_modes);
+    std::vector<double> forces(3 * space.n_points(), 0.);
+    add_torque_forces(torque, space, space.parts()[0], torque.value, forces);
     Vector3 sum = Vector3::Zero(), moment = Vector3::Zero();
     for (unsigned int i = 0; i < bar.n_nodes(); ++i)
       {
@@ -329,9 +329,8 @@ namespace
     check_close("its moment [N mm]", moment.dot(bar.axis.direction), 1e5, 1e-6);
     torque.nodes = bar.node_set("axis");
     torque.areas.assign(torque.nodes.size(), 1.);
-    print_refusal([&] {
-      add_torque_forces(torque, discretization, discretization.parts()[0], torque.value, forces);
-    });
+    print_refusal(
+      [&] { add_torque_forces(torque, space, space.parts()[0], torque.value, forces); });
   }
 
   /** A block whose nodes are shifted in the planes z = const, the same way in all of them. */
@@ -361,9 +360,9 @@ namespace
                    const Communicator &communicator,
                    const Field        &field)
   {
-    const Discretization d(model, {0}, element);
-    const Assembly       assembly(d, {}, communicator);
-    std::vector<double>  u, applied(3 * d.n_points(), 0.);
+    const FemSpace      d(model, {0}, element);
+    const Assembly      assembly(d, {}, communicator);
+    std::vector<double> u, applied(3 * d.n_points(), 0.);
     for (const Vector3 &x : d.points())
       for (unsigned int c = 0; c < 3; ++c)
         u.push_back(field(x)[c]);

@@ -58,7 +58,7 @@ namespace pair_of_bodies
   {
     const Transmission &t = *model.transmission;
     return t.driven_start - t.ratio() * t.driver_start +
-           lead_of_driven(compliance.discretization(), at.turn, at.displacements);
+           lead_of_driven(compliance.space(), at.turn, at.displacements);
   }
 
   /** Root of the mean square. */

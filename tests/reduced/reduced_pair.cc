@@ -65,7 +65,7 @@ namespace
           force += tooth.force.norm();
         check_close("force", state.measured.contact_force / force, 1., 1e-6);
         check("teeth", state.measured.teeth.size() == at.teeth.size());
-        const double slope = at.turn_slope + mean_rotation(compliance.discretization(),
+        const double slope = at.turn_slope + mean_rotation(compliance.space(),
                                                            1,
                                                            model.transmission->driven_bore,
                                                            at.displacement_slope);

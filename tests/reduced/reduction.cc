@@ -39,8 +39,8 @@ namespace
       : model_(model)
       , fem_(fem)
       , communicator_(communicator)
-      , discretization_(loose, {0}, fem.element)
-      , assembly_(discretization_, {}, communicator)
+      , space_(loose, {0}, fem.element)
+      , assembly_(space_, {}, communicator)
       , matrices_(assembly_, fem.mass, fem.strain)
       , compliance_(model, fem, model.bodies[0].rate != 0, communicator, Factorized::bodies)
       , turn_(3 * std::size_t(body().n_nodes()))
@@ -87,7 +87,7 @@ namespace
     Field torque() const
     {
       Field forces(turn_.size(), 0.);
-      add_torque_forces(model_.torques[0], discretization_, discretization_.parts()[0], 1., forces);
+      add_torque_forces(model_.torques[0], space_, space_.parts()[0], 1., forces);
       return forces;
     }
     /** Forces of a unit angular acceleration. */
@@ -100,10 +100,10 @@ namespace
     }
     ModalResult modes(const unsigned int n) const
     {
-      const Discretization held(model_, {0}, fem_.element);
-      const Assembly       assembly(held, {}, communicator_);
-      FemOptions           options = fem_;
-      options.n_modes              = n;
+      const FemSpace held(model_, {0}, fem_.element);
+      const Assembly assembly(held, {}, communicator_);
+      FemOptions     options = fem_;
+      options.n_modes        = n;
       const ModalSolver solver(assembly, options);
       const double      rate = body().rate;
       // Spin softens what hangs in bearings.
@@ -126,7 +126,7 @@ namespace
     const Model        &model_;
     FemOptions          fem_;
     const Communicator &communicator_;
-    Discretization      discretization_;
+    FemSpace            space_;
     Assembly            assembly_;
     SystemMatrices      matrices_;
     Compliance          compliance_;
@@ -267,9 +267,9 @@ namespace
                      const ReducedBody &reduced,
                      const Whole       &whole)
   {
-    const Body          &body = whole.body();
-    const Discretization discretization(model, {0}, FemElement::incompatible_modes);
-    const BearingRings   seats(discretization);
+    const Body        &body = whole.body();
+    const FemSpace     space(model, {0}, FemElement::incompatible_modes);
+    const BearingRings seats(space);
     check(name + ": rings", reduced.rings.size() == seats.list().size() + 1);
     Eigen::MatrixXd turn =
       Eigen::MatrixXd::Zero(6 * reduced.rings.size(), 6 * reduced.rings.size());

@@ -44,10 +44,12 @@ inline void hold_hub(vfife::Model                               &model,
 }
 
 /** A wheel of twelve sectors, placed askew. */
-inline vfife::Model make_wheel(const std::optional<vfife::ConstraintKind> &hub, const double rate)
+inline vfife::Model make_wheel(const std::optional<vfife::ConstraintKind> &hub,
+                               const double                                rate,
+                               const std::array<unsigned int, 3>          &cells = {{6, 12, 4}})
 {
   vfife::Model model;
-  vfife::Body  wheel("wheel", vfife::make_ring(20., 40., 3., {{6, 12, 4}}), {});
+  vfife::Body  wheel("wheel", vfife::make_ring(20., 40., 3., cells), {});
   wheel.placement.rotation    = vfife::rotation_about(vfife::Vector3(1., 2., -1.).normalized(), 1.);
   wheel.placement.translation = vfife::Vector3(7., -5., 3.);
   // It turns against the sense in which its sectors follow each other.

@@ -178,8 +178,8 @@ namespace
   /** C3D8I on the cells, or C3D20 with straight sides. */
   void write_input(const LoadedTooth &tooth, const FemElement element, const std::string &path)
   {
-    const Discretization d(tooth.model, {0}, element);
-    std::ofstream        out(path);
+    const FemSpace d(tooth.model, {0}, element);
+    std::ofstream  out(path);
     out << std::setprecision(12) << "*NODE, NSET=ALL\n";
     // Middles of faces and cells belong to elements of 27 nodes alone.
     constexpr unsigned int                 edges[12] = {1, 5, 7, 3, 19, 23, 25, 21, 9, 11, 17, 15};

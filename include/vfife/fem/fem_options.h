@@ -2,6 +2,7 @@
 #ifndef vfife_fem_fem_options_h
 #define vfife_fem_fem_options_h
 
+#include <vfife/fem/system/fem_space.h>
 #include <vfife/fem/system/finite_strain.h>
 
 #include <string>
@@ -30,6 +31,7 @@ namespace vfife
   struct FemOptions
   {
     FemElement       element          = FemElement::incompatible_modes;
+    FemGeometry      geometry         = FemGeometry::straight;
     MassKind         mass             = MassKind::consistent;
     StrainMeasure    strain           = StrainMeasure::biot;
     LinearSolverKind linear_solver    = LinearSolverKind::multigrid;

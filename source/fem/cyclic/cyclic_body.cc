@@ -57,7 +57,7 @@ namespace vfife
 
     /** Whether nothing holds the body's turn about its axis. Throws InputError where it can move
      * otherwise. */
-    bool turns_freely(const Discretization &whole)
+    bool turns_freely(const FemSpace &whole)
     {
       const Model       &model   = whole.model();
       const unsigned int b       = whole.parts()[0].body;

@@ -13,15 +13,16 @@
 // the border to the next one, which are border 0 of that.
 namespace vfife
 {
-  CyclicStatics::CyclicStatics(const Model        &model,
-                               const unsigned int  body,
-                               const FemOptions   &options,
-                               const double        rate,
-                               const Communicator &communicator)
-    : body_(model, body, options, rate)
+  CyclicStatics::CyclicStatics(const FemSpace       &whole,
+                               const FemSpace::Part &part,
+                               const FemOptions     &options,
+                               const double          rate,
+                               const Communicator   &communicator)
+    : body_(whole.model(), part.body, options, rate)
+    , copies_(body_.sector(), whole, part)
     , communicator_(communicator)
   {
-    find_hub(model, body);
+    find_hub(whole.model(), part.body);
     Unknowns::Options unknowns;
     unknowns.open     = true;
     unknowns.rotation = hub_;
@@ -154,7 +155,7 @@ namespace vfife
     const Vector3      tangent =
       body.axis.direction.cross(body.placement(body.node_positions()[pin_]) - body.axis.point)
         .normalized();
-    std::vector<double> force(3 * std::size_t(body.n_nodes()), 0.);
+    std::vector<double> force(3 * std::size_t(copies_.n_points()), 0.);
     Eigen::Map<Vector3>(force.data() + 3 * std::size_t(pin_)) = tangent;
 
     const Eigen::VectorXd turn   = turn_of_border();

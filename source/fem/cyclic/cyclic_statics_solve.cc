@@ -9,17 +9,21 @@
 
 namespace vfife
 {
+  void CyclicStatics::add_sector(const unsigned int         k,
+                                 const std::vector<double> &u,
+                                 std::vector<double>       &all) const
+  {
+    const Matrix3 turn = turned(k);
+    for (const unsigned int p : copies_.own_points())
+      Eigen::Map<Vector3>(all.data() + 3 * std::size_t(copies_.copy(p, k))) =
+        turn * Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(p));
+  }
+
   std::vector<double> CyclicStatics::spun() const
   {
-    const unsigned int  n_nodes = body_.body().structure().nodes_per_sector();
-    std::vector<double> u;
+    std::vector<double> u(3 * std::size_t(copies_.n_points()));
     for (unsigned int k = 0; k < body_.n_sectors(); ++k)
-      for (unsigned int i = 0; i < n_nodes; ++i)
-        {
-          const Vector3 moved =
-            turned(k) * Eigen::Map<const Vector3>(body_.equilibrium().data() + 3 * std::size_t(i));
-          u.insert(u.end(), moved.data(), moved.data() + 3);
-        }
+      add_sector(k, body_.equilibrium(), u);
     return u;
   }
 
@@ -50,15 +54,14 @@ namespace vfife
   Eigen::MatrixXd CyclicStatics::restrict_forces(const std::vector<double> &forces) const
   {
     // Forces of each sector in the axes of sector 0; none on the images of the next one's.
-    const std::size_t   n_own = 3 * std::size_t(body_.body().structure().nodes_per_sector());
     std::vector<double> at_points(3 * std::size_t(body_.sector().n_points()), 0.);
     Eigen::MatrixXd     x(sector_->unknowns().n(), body_.n_sectors());
     for (unsigned int k = 0; k < body_.n_sectors(); ++k)
       {
         const Matrix3 back = turned(k).transpose();
-        for (std::size_t i = 0; i < n_own; i += 3)
-          Eigen::Map<Vector3>(at_points.data() + i) =
-            back * Eigen::Map<const Vector3>(forces.data() + k * n_own + i);
+        for (const unsigned int p : copies_.own_points())
+          Eigen::Map<Vector3>(at_points.data() + 3 * std::size_t(p)) =
+            back * Eigen::Map<const Vector3>(forces.data() + 3 * std::size_t(copies_.copy(p, k)));
         const OwnedVector loads = sector_->restrict_forces(at_points);
         x.col(k)                = Eigen::Map<const Eigen::VectorXd>(loads.data(), loads.size());
       }
@@ -67,19 +70,9 @@ namespace vfife
 
   std::vector<double> CyclicStatics::expand(const Eigen::MatrixXd &x) const
   {
-    const std::size_t   n_own = 3 * std::size_t(body_.body().structure().nodes_per_sector());
-    std::vector<double> u;
+    std::vector<double> u(3 * std::size_t(copies_.n_points()));
     for (unsigned int k = 0; k < body_.n_sectors(); ++k)
-      {
-        const OwnedVector         q(x.col(k).data(), x.col(k).data() + x.rows());
-        const std::vector<double> here = sector_->expand(q);
-        const Matrix3             turn = turned(k);
-        for (std::size_t i = 0; i < n_own; i += 3)
-          {
-            const Vector3 moved = turn * Eigen::Map<const Vector3>(here.data() + i);
-            u.insert(u.end(), moved.data(), moved.data() + 3);
-          }
-      }
+      add_sector(k, sector_->expand(OwnedVector(x.col(k).data(), x.col(k).data() + x.rows())), u);
     return u;
   }
 
@@ -101,18 +94,17 @@ namespace vfife
     return u;
   }
 
-  void CyclicStatics::watch(std::vector<unsigned int> nodes)
+  void CyclicStatics::watch(std::vector<unsigned int> points)
   {
-    // 1. The nodes as copies of points of sector 0.
-    watched_                         = std::move(nodes);
-    const BodyStructure   &structure = body_.body().structure();
-    std::set<unsigned int> points, sectors;
-    for (const unsigned int node : watched_)
+    // 1. The points as copies of those of sector 0.
+    watched_ = std::move(points);
+    std::set<unsigned int> originals, sectors;
+    for (const unsigned int point : watched_)
       {
-        points.insert(structure.first_copy(node));
-        sectors.insert(structure.sector_of(node));
+        originals.insert(copies_.original_of(point));
+        sectors.insert(copies_.sector_of(point));
       }
-    locals_.assign(points.begin(), points.end());
+    locals_.assign(originals.begin(), originals.end());
     flexibility_.clear();
     if (watched_.empty())
       return;
@@ -160,14 +152,13 @@ namespace vfife
   Eigen::VectorXd CyclicStatics::column(const std::size_t  watched,
                                         const unsigned int component) const
   {
-    const BodyStructure &structure = body_.body().structure();
-    const unsigned int   n_sectors = structure.n_sectors();
-    const auto           local     = [&](const unsigned int node) {
-      return 3 * (std::lower_bound(locals_.begin(), locals_.end(), structure.first_copy(node)) -
+    const unsigned int n_sectors = body_.n_sectors();
+    const auto         local     = [&](const unsigned int point) {
+      return 3 * (std::lower_bound(locals_.begin(), locals_.end(), copies_.original_of(point)) -
                   locals_.begin());
     };
     // The force in the axes of its sector, each displacement in those of its own.
-    const unsigned int at = watched_[watched], from = structure.sector_of(at);
+    const unsigned int at = watched_[watched], from = copies_.sector_of(at);
     const Vector3      force = turned(from).transpose().col(component);
     Eigen::Vector2d    held  = Eigen::Vector2d::Zero();
     if (pinned_)
@@ -175,11 +166,11 @@ namespace vfife
     Eigen::VectorXd u(3 * watched_.size());
     for (std::size_t i = 0; i < watched_.size(); ++i)
       {
-        const unsigned int     node = watched_[i], to = structure.sector_of(node);
+        const unsigned int     point = watched_[i], to = copies_.sector_of(point);
         const Eigen::MatrixXd &A = flexibility_.at((to + n_sectors - from) % n_sectors);
-        u.segment<3>(3 * i)      = turned(to) * A.block<3, 3>(local(node), local(at)) * force;
+        u.segment<3>(3 * i)      = turned(to) * A.block<3, 3>(local(point), local(at)) * force;
         if (pinned_)
-          u.segment<3>(3 * i) -= pin_fields_.middleRows<3>(3 * std::size_t(node)) * held;
+          u.segment<3>(3 * i) -= pin_fields_.middleRows<3>(3 * std::size_t(point)) * held;
       }
     return u;
   }

@@ -7,9 +7,9 @@ namespace vfife
                               const unsigned int            harmonic,
                               const std::vector<SectorRow> &rows)
   {
-    const Unknowns   &unknowns = assembly.unknowns();
-    const std::size_t copy     = 3 * std::size_t(assembly.discretization().n_points());
-    const double      angle    = harmonic * assembly.discretization().sector_angle();
+    const Unknowns                      &unknowns = assembly.unknowns();
+    const std::size_t                    copy     = 3 * std::size_t(assembly.space().n_points());
+    const double                         angle    = harmonic * assembly.space().sector_angle();
     std::vector<Eigen::Triplet<Complex>> entries;
     for (std::size_t i = 0; i < rows.size(); ++i)
       for (const SectorTerm &term : rows[i])

@@ -69,9 +69,9 @@ namespace vfife
 
   ModalResult ModalSolver::solve() const
   {
-    const Discretization            &d = assembly_.discretization();
+    const FemSpace                  &d = assembly_.space();
     std::vector<std::vector<double>> rigid;
-    for (const Discretization::Part &part : d.parts())
+    for (const FemSpace::Part &part : d.parts())
       for (std::vector<double> &motion : find_free_motions(d, part))
         rigid.push_back(std::move(motion));
     return solve(matrices_.stiffness(constant_rate(0.)), matrices_.mass(), 0., rigid);
@@ -143,7 +143,7 @@ namespace vfife
     result.n_iterations = pairs.n_iterations;
     result.memory       = found.memory;
     result.shift        = shift;
-    if (assembly_.unknowns().n_copies() == 1 && assembly_.discretization().sector_angle() == 0)
+    if (assembly_.unknowns().n_copies() == 1 && assembly_.space().sector_angle() == 0)
       add_effective_masses(result);
     return result;
   }
@@ -225,10 +225,10 @@ namespace vfife
 
   void ModalSolver::add_effective_masses(ModalResult &result) const
   {
-    const Discretization &d = assembly_.discretization();
-    for (const Discretization::Part &part : d.parts())
+    const FemSpace &d = assembly_.space();
+    for (const FemSpace::Part &part : d.parts())
       {
-        // Bodies of one discretization add up: the base moves all of them.
+        // Bodies of one space add up: the base moves all of them.
         const auto rigid = make_rigid_motions(d, part, d.model().bodies[part.body].axis.point);
         for (unsigned int r = 0; r < 6; ++r)
           {

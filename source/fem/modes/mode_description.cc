@@ -10,25 +10,23 @@ namespace vfife
   namespace
   {
     /** Places of the nodes from a point of the axis. */
-    std::vector<Vector3> places_from_axis(const Discretization       &discretization,
-                                          const Discretization::Part &part,
-                                          const Body                 &body)
+    std::vector<Vector3>
+    places_from_axis(const FemSpace &space, const FemSpace::Part &part, const Body &body)
     {
       std::vector<Vector3> places;
       for (unsigned int i = 0; i < body.n_nodes(); ++i)
-        places.push_back(discretization.points()[part.first_point + i] - body.axis.point);
+        places.push_back(space.points()[part.first_point + i] - body.axis.point);
       return places;
     }
   } // namespace
 
-  ModeDescriber::ModeDescriber(const Discretization       &discretization,
-                               const Discretization::Part &part)
-    : discretization_(discretization)
+  ModeDescriber::ModeDescriber(const FemSpace &space, const FemSpace::Part &part)
+    : space_(space)
     , first_point_(part.first_point)
-    , body_(discretization.model().bodies[part.body])
+    , body_(space.model().bodies[part.body])
   {
     const Vector3              z      = body_.axis.direction;
-    const std::vector<Vector3> places = places_from_axis(discretization, part, body_);
+    const std::vector<Vector3> places = places_from_axis(space, part, body_);
     copies_                           = find_cyclic_copies(places, z);
     for (const Vector3 &x : places)
       {

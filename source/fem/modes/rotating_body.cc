@@ -123,9 +123,9 @@ namespace vfife
     , body_(body)
     , options_(options)
     , communicator_(communicator)
-    , discretization_(options.cyclic_symmetry
-                        ? Discretization::sector_of(model, body, options.element)
-                        : Discretization(model, {body}, options.element))
+    , space_(options.cyclic_symmetry
+               ? FemSpace::sector_of(model, body, options.element, options.geometry)
+               : FemSpace(model, {body}, options.element, options.geometry))
     , whole_(model, {body}, FemElement::incompatible_modes)
     , describer_(whole_, whole_.parts()[0])
   {
@@ -158,7 +158,7 @@ namespace vfife
   {
     Unknowns::Options options;
     options.rotation = options_.hold_hubs ? HubRotation::held : HubRotation::pinned;
-    const Assembly       assembly(discretization_, options, communicator_);
+    const Assembly       assembly(space_, options, communicator_);
     const SystemMatrices matrices(assembly, options_.mass, options_.strain);
     const std::string    name = "body \"" + model_.bodies[body_].name() + "\" at " +
                              std::to_string(rate * 30. / pi) + " rpm has";
@@ -251,9 +251,8 @@ namespace vfife
     const Eigen::MatrixXd motions = as_columns(unit).colPivHouseholderQr().solve(as_columns(free));
 
     std::vector<std::vector<double>> list;
-    const auto                       of_points =
-      make_rigid_motions(discretization_, discretization_.parts()[0], axis.point);
-    const auto field = [&](const Vector6 &motion) {
+    const auto of_points = make_rigid_motions(space_, space_.parts()[0], axis.point);
+    const auto field     = [&](const Vector6 &motion) {
       std::vector<double> sum(of_points.front().size(), 0.);
       for (unsigned int d = 0; d < 6; ++d)
         sum = add_scaled(std::move(sum), motion[d], of_points[d]);
@@ -306,7 +305,7 @@ namespace vfife
     unknowns.padded   = ModalSolver::needs_padding(options_);
     unknowns.harmonic = harmonic;
     unknowns.rotation = options_.hold_hubs ? HubRotation::held : HubRotation::free;
-    const Assembly       assembly(discretization_, unknowns, communicator_);
+    const Assembly       assembly(space_, unknowns, communicator_);
     const SystemMatrices matrices(assembly, options_.mass, options_.strain);
     // About the equilibrium. Hubs that turn freely are not pinned: their rotation is a rigid mode.
     const SparseValues K = !equilibrium.empty()
@@ -429,12 +428,12 @@ namespace vfife
     const Vector3       axis      = compute_sector_axis(body).direction;
     const unsigned int  n_sectors = body.structure().n_sectors();
     const std::size_t   n_nodes   = body.structure().nodes_per_sector();
-    const std::size_t   copy      = 3 * static_cast<std::size_t>(discretization_.n_points());
+    const std::size_t   copy      = 3 * static_cast<std::size_t>(space_.n_points());
     std::vector<double> whole;
     whole.reserve(n);
     for (unsigned int k = 0; k < n_sectors; ++k)
       {
-        const double  angle = k * discretization_.sector_angle(), phase = harmonic * angle;
+        const double  angle = k * space_.sector_angle(), phase = harmonic * angle;
         const Matrix3 turn = rotation_about(axis, angle);
         for (std::size_t i = 0; i < n_nodes; ++i)
           {

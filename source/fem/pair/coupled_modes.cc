@@ -63,10 +63,10 @@ namespace vfife
     /** Forces of a unit torque on the driven body, as the model's torques act. */
     OwnedVector make_unit_torque(const Assembly &assembly)
     {
-      const Discretization &d = assembly.discretization();
-      const Model          &m = d.model();
-      std::vector<double>   forces(3 * static_cast<std::size_t>(d.n_points()), 0.);
-      double                sum = 0;
+      const FemSpace     &d = assembly.space();
+      const Model        &m = d.model();
+      std::vector<double> forces(3 * static_cast<std::size_t>(d.n_points()), 0.);
+      double              sum = 0;
       for (const Torque &torque : m.torques)
         if (torque.body == m.transmission->driven)
           sum += torque.value;
@@ -80,9 +80,9 @@ namespace vfife
     class ShapeReader
     {
     public:
-      explicit ShapeReader(const Discretization &d)
+      explicit ShapeReader(const FemSpace &d)
         : part_(*d.find_part(d.model().transmission->driven))
-        , discretization_(d)
+        , space_(d)
         , describer_(d, part_)
       {
       }
@@ -96,9 +96,9 @@ namespace vfife
         mode.driven    = describer_.describe(real, imaginary);
         double all = 0, driven = 0, largest = 0;
         // Kinetic energies up to a common factor, with the row sums of mass.
-        for (const Discretization::Part &part : discretization_.parts())
+        for (const FemSpace::Part &part : space_.parts())
           {
-            const Body &body = discretization_.model().bodies[part.body];
+            const Body &body = space_.model().bodies[part.body];
             for (unsigned int i = 0; i < body.n_nodes(); ++i)
               {
                 const std::size_t row = 3 * std::size_t(part.first_point + i);
@@ -118,9 +118,9 @@ namespace vfife
       }
 
     private:
-      const Discretization::Part &part_;
-      const Discretization       &discretization_;
-      ModeDescriber               describer_;
+      const FemSpace::Part &part_;
+      const FemSpace       &space_;
+      ModeDescriber         describer_;
     };
 
     /** Displacements of all points, sum of the modes' shapes times coefficients. */
@@ -148,14 +148,14 @@ namespace vfife
                    const ModalResult     &found,
                    const Eigen::MatrixXd &more)
     {
-      const Model &model = assembly.discretization().model();
+      const Model &model = assembly.space().model();
       const auto   rate  = [&model](const unsigned int body) { return model.bodies[body].rate; };
       const SparseMatrix M(assembly, mass), G(assembly, matrices.gyroscopic(rate));
       // P x of each mode x; P and G carry the rates of their bodies.
       std::vector<OwnedVector> turned;
       for (const Mode &mode : found.modes)
-        turned.push_back(assembly.restrict_field(
-          apply_standing_derivative(assembly.discretization(), mode.shape)));
+        turned.push_back(
+          assembly.restrict_field(apply_standing_derivative(assembly.space(), mode.shape)));
       // In the basis x, M = 1 and x^T (K) x = diag(omega^2):
       //     q'' + skew q' + stiffness q = 0,   skew = 2 x^T (M P + G) x,
       //     stiffness = diag(omega^2) + x^T (M P^2 + 2 G P) x
@@ -241,9 +241,9 @@ namespace vfife
                                   const unsigned int             n,
                                   const Communicator            &communicator)
   {
-    const Discretization &d       = compliance.discretization();
-    FemOptions            options = fem_options;
-    if (centrifugal && options.element == FemElement::quadratic)
+    const FemSpace &d       = compliance.space();
+    FemOptions      options = fem_options;
+    if (centrifugal && degree_of(options.element) > 1)
       throw InputError("Fem/element",
                        "coupled modes of a spinning pair stand in space, which is computed for "
                        "elements of eight nodes only; take incompatible modes or centrifugal = no");

@@ -38,7 +38,7 @@ namespace vfife
 
     // The nodes that may touch at any position asked for: only at them displacements by unit
     // forces are kept.
-    const Discretization  &d = compliance.discretization();
+    const FemSpace        &d = compliance.space();
     std::set<unsigned int> points;
     for (const double turn : driver_turns)
       {
@@ -54,8 +54,8 @@ namespace vfife
     std::vector<PressedPair::Node> nodes;
     for (const unsigned int point : compliance_.watched())
       {
-        const Discretization::Part *part = nullptr;
-        for (const Discretization::Part &one : d.parts())
+        const FemSpace::Part *part = nullptr;
+        for (const FemSpace::Part &one : d.parts())
           if (point >= one.first_point &&
               point < one.first_point + model.bodies[one.body].n_nodes())
             part = &one;

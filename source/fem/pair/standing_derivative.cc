@@ -5,13 +5,12 @@
 
 namespace vfife
 {
-  std::vector<double> apply_standing_derivative(const Discretization      &discretization,
-                                                const std::vector<double> &u)
+  std::vector<double> apply_standing_derivative(const FemSpace &space, const std::vector<double> &u)
   {
     std::vector<double> result(u.size(), 0.);
-    for (const Discretization::Part &part : discretization.parts())
+    for (const FemSpace::Part &part : space.parts())
       {
-        const Body          &body      = discretization.model().bodies[part.body];
+        const Body          &body      = space.model().bodies[part.body];
         const BodyStructure &structure = body.structure();
         // Two sectors on either side have to be different ones, and turn into each other; of
         // quadratic elements' points only nodes are numbered by sectors.

@@ -2,7 +2,7 @@
 #ifndef vfife_fem_standing_derivative_h
 #define vfife_fem_standing_derivative_h
 
-#include <vfife/fem/system/discretization.h>
+#include <vfife/fem/system/fem_space.h>
 
 #include <vector>
 
@@ -14,7 +14,7 @@ namespace vfife
    * vectors turning along, by central differences of fourth order over equal sectors. Zero on
    * bodies of fewer than five sectors.
    */
-  std::vector<double> apply_standing_derivative(const Discretization      &discretization,
+  std::vector<double> apply_standing_derivative(const FemSpace            &space,
                                                 const std::vector<double> &u);
 } // namespace vfife
 

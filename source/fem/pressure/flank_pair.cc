@@ -9,15 +9,13 @@
 
 namespace vfife
 {
-  FlankPair::FlankPair(const Discretization &discretization, const double depth)
-    : discretization_(discretization)
-    , definition_(discretization.model().contacts.front())
+  FlankPair::FlankPair(const FemSpace &space, const double depth)
+    : space_(space)
+    , definition_(space.model().contacts.front())
     , depth_(depth)
     , bodies_{{definition_.slave_body, definition_.master_body}}
-    , facets_{{&discretization.model().bodies[bodies_[0]].mesh().surfaces.at(
-                 definition_.slave_surface),
-               &discretization.model().bodies[bodies_[1]].mesh().surfaces.at(
-                 definition_.master_surface)}}
+    , facets_{{&space.model().bodies[bodies_[0]].mesh().surfaces.at(definition_.slave_surface),
+               &space.model().bodies[bodies_[1]].mesh().surfaces.at(definition_.master_surface)}}
     , surfaces_{
         {{*facets_[0], definition_.options.surface, EdgeRelief(*facets_[0], definition_.options)},
          {*facets_[1], definition_.options.surface, EdgeRelief(*facets_[1], definition_.options)}}}
@@ -25,8 +23,7 @@ namespace vfife
     for (unsigned int side = 0; side < 2; ++side)
       {
         materials_[side] =
-          discretization.model().bodies[bodies_[side]].material_under(facets_[side]->nodes,
-                                                                      "a flank");
+          space.model().bodies[bodies_[side]].material_under(facets_[side]->nodes, "a flank");
         held_.emplace_back(materials_[side].poissons_ratio);
       }
   }
@@ -35,7 +32,7 @@ namespace vfife
                         std::vector<double> positions,
                         const RigidMotion  &motion)
   {
-    const Body &body = discretization_.model().bodies[bodies_[side]];
+    const Body &body = space_.model().bodies[bodies_[side]];
     positions_[side] = std::move(positions);
     rotations_[side] = motion.rotation * body.placement.rotation.transpose();
     surfaces_[side].bind({positions_[side].data(), nullptr, motion});
@@ -44,8 +41,8 @@ namespace vfife
   double FlankPair::torque_arm(const Vector3 &position, const Vector3 &normal) const
   {
     // The load turns the driven body against its sense and so closes the gap, n . (x_s - y).
-    const Transmission &t     = *discretization_.model().transmission;
-    const Axis         &axis  = discretization_.model().bodies[t.driven].axis;
+    const Transmission &t     = *space_.model().transmission;
+    const Axis         &axis  = space_.model().bodies[t.driven].axis;
     const double        sense = bodies_[1] == t.driven ? -t.driven_sense : t.driven_sense;
     return sense * normal.dot(axis.direction.cross(position - axis.point));
   }
@@ -79,7 +76,7 @@ namespace vfife
 
   unsigned int FlankPair::point_of(const unsigned int side, const unsigned int node) const
   {
-    return discretization_.find_part(bodies_[side])->first_point + facets_[side]->nodes[node];
+    return space_.find_part(bodies_[side])->first_point + facets_[side]->nodes[node];
   }
 
   const NearLayer &FlankPair::near_layer(const unsigned int side, const unsigned int group)
@@ -98,14 +95,14 @@ namespace vfife
         if (facets.group[f] == group && edge_number(facets, f, k) != 0)
           edges.push_back(
             {{point_of(side, facets.facets[f][k]), point_of(side, facets.facets[f][(k + 1) % 4])}});
-    const unsigned int first = discretization_.find_part(bodies_[side])->first_point;
-    for (const auto &[name, other] : discretization_.model().bodies[bodies_[side]].mesh().surfaces)
+    const unsigned int first = space_.find_part(bodies_[side])->first_point;
+    for (const auto &[name, other] : space_.model().bodies[bodies_[side]].mesh().surfaces)
       if (&other != &facets)
         for (const unsigned int node : other.nodes)
           others.push_back(first + node);
     return near_
       .emplace(std::make_pair(side, group),
-               find_near_layer(discretization_, std::move(patch), others, depth_, edges))
+               find_near_layer(space_, std::move(patch), others, depth_, edges))
       .first->second;
   }
 
@@ -114,7 +111,7 @@ namespace vfife
                                      const unsigned int               copied,
                                      const std::vector<unsigned int> &places)
   {
-    const Body  &body = discretization_.model().bodies[bodies_[side]];
+    const Body  &body = space_.model().bodies[bodies_[side]];
     ElasticFlank flank;
     flank.near = &near_layer(side, copied);
     // The copied tooth stands at time zero where the axes of the flexibility do; this one has been

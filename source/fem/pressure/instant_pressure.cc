@@ -29,11 +29,11 @@ namespace vfife
                                    const unsigned int  cells_across,
                                    const Communicator &communicator)
     : cells_across_(cells_across)
-    , discretization_(model, all_bodies(model), options.element)
-    , flanks_(discretization_, depth)
+    , space_(model, all_bodies(model), options.element, options.geometry)
+    , flanks_(space_, depth)
     , depth_limit_(
         Contact(flanks_.facets(0), flanks_.facets(1), flanks_.definition().options).depth_limit())
-    , places_(discretization_.n_points(), ElasticFlank::no_place)
+    , places_(space_.n_points(), ElasticFlank::no_place)
   {
     std::vector<unsigned int> points, rows;
     for (unsigned int side = 0; side < 2; ++side)
@@ -54,8 +54,8 @@ namespace vfife
 
   void InstantPressure::check(const Model &model, const FemOptions &options, const double depth)
   {
-    const Discretization discretization(model, all_bodies(model), options.element);
-    FlankPair            flanks(discretization, depth);
+    const FemSpace space(model, all_bodies(model), options.element, options.geometry);
+    FlankPair      flanks(space, depth);
     for (unsigned int side = 0; side < 2; ++side)
       flanks.near_layer(side, copied);
   }

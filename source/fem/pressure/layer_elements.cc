@@ -5,6 +5,7 @@
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
@@ -26,7 +27,7 @@ namespace vfife
     /** Nodes of an element along each axis. */
     unsigned int nodes_along(const std::vector<unsigned int> &element)
     {
-      return element.size() == 8 ? 2 : 3;
+      return std::lround(std::cbrt(element.size()));
     }
 
     unsigned int stride_of(const unsigned int n, const unsigned int axis)
@@ -196,16 +197,16 @@ namespace vfife
       /** Adds an element; its outer side. */
       Side add_element(const Side &side)
       {
-        const std::vector<unsigned int> inner = layer_.elements[side.element];
-        const unsigned int              n     = nodes_along(inner);
+        const std::vector<unsigned int> inner  = layer_.elements[side.element];
+        const unsigned int              n      = nodes_along(inner);
+        const std::vector<double>       places = places_along(n - 1);
         std::vector<unsigned int>       outer(inner.size());
         for (unsigned int a = 0; a < inner.size(); ++a)
           {
             const unsigned int step = step_of(a, n, side.axis), beyond = n - 1 - step;
             const unsigned int steps = side.high ? beyond : step; // from the side to this node
             const unsigned int foot  = inner[replace_step(a, n, side.axis, side.high ? n - 1 : 0)];
-            outer[replace_step(a, n, side.axis, beyond)] =
-              point_beyond(foot, steps, double(steps) / (n - 1));
+            outer[replace_step(a, n, side.axis, beyond)] = point_beyond(foot, steps, places[steps]);
           }
         layer_.elements.push_back(std::move(outer));
         return {static_cast<unsigned int>(layer_.elements.size() - 1), side.axis, side.high};

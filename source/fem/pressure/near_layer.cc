@@ -18,9 +18,9 @@ namespace vfife
     class LayeredElements
     {
     public:
-      LayeredElements(const Discretization &discretization, const std::vector<unsigned int> &patch)
-        : discretization_(discretization)
-        , part_(discretization.part_of_point(patch.front()))
+      LayeredElements(const FemSpace &space, const std::vector<unsigned int> &patch)
+        : space_(space)
+        , part_(space.part_of_point(patch.front()))
         , reached_(part_.n_points, false)
         , used_(part_.n_elements, false)
       {
@@ -68,7 +68,7 @@ namespace vfife
       LayerElements make_elements(const std::vector<unsigned char> &states,
                                   std::vector<unsigned int>        &numbers) const;
 
-      const Discretization::Part &part() const
+      const FemSpace::Part &part() const
       {
         return part_;
       }
@@ -80,7 +80,7 @@ namespace vfife
         for (unsigned int e = 0; e < part_.n_elements; ++e)
           if (used_[e])
             {
-              const Material &here = discretization_.material(part_.first_element + e);
+              const Material &here = space_.material(part_.first_element + e);
               if (found != nullptr && found != &here)
                 throw InputError("the layers of elements under a surface in contact have the "
                                  "materials \"" +
@@ -95,8 +95,8 @@ namespace vfife
       template <typename Function>
       void for_points(const unsigned int e, const Function &function) const
       {
-        const unsigned int *points = discretization_.element_points(part_.first_element + e);
-        for (unsigned int a = 0; a < discretization_.points_per_element(); ++a)
+        const unsigned int *points = space_.element_points(part_.first_element + e);
+        for (unsigned int a = 0; a < space_.points_per_element(); ++a)
           function(points[a] - part_.first_point);
       }
       bool has_point(const unsigned int e, const std::vector<bool> &which) const
@@ -106,9 +106,9 @@ namespace vfife
         return found;
       }
 
-      const Discretization       &discretization_;
-      const Discretization::Part &part_;
-      std::vector<bool>           reached_, used_;
+      const FemSpace       &space_;
+      const FemSpace::Part &part_;
+      std::vector<bool>     reached_, used_;
     };
 
     LayerElements LayeredElements::make_elements(const std::vector<unsigned char> &states,
@@ -120,7 +120,7 @@ namespace vfife
         if (states[p] != 0)
           {
             numbers[p] = layer.points.size();
-            layer.points.push_back(discretization_.points()[part_.first_point + p]);
+            layer.points.push_back(space_.points()[part_.first_point + p]);
             layer.held.push_back(states[p] == 2);
           }
       for (unsigned int e = 0; e < part_.n_elements; ++e)
@@ -134,8 +134,8 @@ namespace vfife
     }
 
     /** From each point of the patch to the nearest one that is held; none: infinite. */
-    std::vector<double> find_depths(const Discretization             &discretization,
-                                    const Discretization::Part       &part,
+    std::vector<double> find_depths(const FemSpace                   &space,
+                                    const FemSpace::Part             &part,
                                     const std::vector<unsigned char> &states,
                                     const std::vector<unsigned int>  &patch)
     {
@@ -145,10 +145,9 @@ namespace vfife
           double nearest = std::numeric_limits<double>::infinity();
           for (std::size_t p = 0; p < states.size(); ++p)
             if (states[p] == 2)
-              nearest = std::min(nearest,
-                                 (discretization.points()[part.first_point + p] -
-                                  discretization.points()[point])
-                                   .norm());
+              nearest =
+                std::min(nearest,
+                         (space.points()[part.first_point + p] - space.points()[point]).norm());
           depths.push_back(nearest);
         }
       return depths;
@@ -162,15 +161,15 @@ namespace vfife
   }
 
 
-  NearLayer find_near_layer(const Discretization            &discretization,
+  NearLayer find_near_layer(const FemSpace                  &space,
                             std::vector<unsigned int>        patch,
                             const std::vector<unsigned int> &others,
                             const double                     depth,
                             const PointPairs                &edges)
   {
-    LayeredElements             elements(discretization, patch);
-    const Discretization::Part &part = elements.part();
-    std::vector<bool>           is_other(part.n_points, false);
+    LayeredElements       elements(space, patch);
+    const FemSpace::Part &part = elements.part();
+    std::vector<bool>     is_other(part.n_points, false);
     for (const unsigned int point : others)
       is_other[point - part.first_point] = true;
 
@@ -179,7 +178,7 @@ namespace vfife
     while (elements.add_layer(is_other))
       {
         std::vector<unsigned char> now    = elements.find_states();
-        std::vector<double>        depths = find_depths(discretization, part, now, patch);
+        std::vector<double>        depths = find_depths(space, part, now, patch);
         // Nothing is left that would hold these.
         if (depths.front() == std::numeric_limits<double>::infinity())
           break;
@@ -192,7 +191,7 @@ namespace vfife
     // A point of the patch that is held itself has no flexibility of its own.
     for (const unsigned int point : patch)
       if (states.empty() || states[point - part.first_point] != 1)
-        throw InputError("body \"" + discretization.model().bodies[part.body].name() +
+        throw InputError("body \"" + space.model().bodies[part.body].name() +
                          "\": no layer of elements under the surface in contact leads to others "
                          "that would hold it; the pressure on its own grid needs two elements "
                          "across a tooth");
@@ -207,9 +206,8 @@ namespace vfife
     for (const auto &edge : edges)
       own_edges.push_back({{number_of(edge[0]), number_of(edge[1])}});
     by_itself.continue_beyond(own_edges, own, reach * layer.mean_depth());
-    layer.flexibility =
-      by_itself.find_flexibility(own, elements.material(), discretization.element());
-    layer.points = std::move(patch);
+    layer.flexibility = by_itself.find_flexibility(own, elements.material(), space.element());
+    layer.points      = std::move(patch);
     return layer;
   }
 } // namespace vfife

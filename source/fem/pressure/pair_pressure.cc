@@ -10,10 +10,10 @@ namespace vfife
                              const double       depth,
                              const unsigned int cells_across)
     : compliance_(compliance)
-    , model_(compliance.discretization().model())
+    , model_(compliance.space().model())
     , cells_across_(cells_across)
-    , flanks_(compliance.discretization(), depth)
-    , places_(compliance.discretization().n_points(), ElasticFlank::no_place)
+    , flanks_(compliance.space(), depth)
+    , places_(compliance.space().n_points(), ElasticFlank::no_place)
   {
     for (std::size_t i = 0; i < compliance.watched().size(); ++i)
       places_[compliance.watched()[i]] = i;
@@ -25,7 +25,7 @@ namespace vfife
       {
         const unsigned int  body  = flanks_.body(side);
         const Body         &b     = model_.bodies[body];
-        const std::size_t   first = compliance_.discretization().find_part(body)->first_point;
+        const std::size_t   first = compliance_.space().find_part(body)->first_point;
         std::vector<double> positions;
         for (const unsigned int node : flanks_.facets(side).nodes)
           {
@@ -54,7 +54,7 @@ namespace vfife
     for (const NodalForce &nodal : result.contact_forces)
       {
         const unsigned int point =
-          compliance_.discretization().find_part(nodal.body)->first_point + nodal.node;
+          compliance_.space().find_part(nodal.body)->first_point + nodal.node;
         load.forces.segment<3>(3 * places_[point]) +=
           equilibrium.rotation(nodal.body).transpose() * nodal.force;
       }

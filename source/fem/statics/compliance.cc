@@ -31,12 +31,12 @@ namespace vfife
                          const Factorized    factorized)
     : model_(model)
     , communicator_(communicator)
-    , discretization_(model, all_bodies(model), options.element)
+    , space_(model, all_bodies(model), options.element, options.geometry)
     // What a housing joins is a part of the law that who asks adds.
-    , rings_(discretization_, HousingLaw::own_seats)
+    , rings_(space_, HousingLaw::own_seats)
   {
     check_motions();
-    spun_.assign(3 * static_cast<std::size_t>(discretization_.n_points()), 0.);
+    spun_.assign(3 * static_cast<std::size_t>(space_.n_points()), 0.);
     if (factorized == Factorized::bodies || !factorize_sectors(options, centrifugal))
       factorize_bodies(options, centrifugal);
 
@@ -44,8 +44,8 @@ namespace vfife
     // added by who asks.
     std::vector<double> forces(spun_.size(), 0.);
     for (const Torque &torque : model.torques)
-      if (const auto *part = discretization_.find_part(torque.body))
-        add_torque_forces(torque, discretization_, *part, torque.value, forces);
+      if (const auto *part = space_.find_part(torque.body))
+        add_torque_forces(torque, space_, *part, torque.value, forces);
     twisted_ = solve(forces);
   }
 
@@ -58,11 +58,11 @@ namespace vfife
     turning.hold_hubs  = false;
     try
       {
-        for (const Discretization::Part &part : discretization_.parts())
+        for (const FemSpace::Part &part : space_.parts())
           {
             const double rate = centrifugal ? model_.bodies[part.body].rate : 0.;
             sectors_.push_back(
-              {std::make_unique<CyclicStatics>(model_, part.body, turning, rate, communicator_),
+              {std::make_unique<CyclicStatics>(space_, part, turning, rate, communicator_),
                3 * std::size_t(part.first_point),
                3 * std::size_t(part.n_points),
                {}});
@@ -91,7 +91,7 @@ namespace vfife
     // pin carries nothing in equilibrium.
     unknowns.rotation = HubRotation::pinned;
     assembly_         = std::make_unique<Assembly>(
-      discretization_, unknowns, communicator_, Assembly::Links(), HousingLaw::own_seats);
+      space_, unknowns, communicator_, Assembly::Links(), HousingLaw::own_seats);
     n_unknowns_ = assembly_->unknowns().n();
     const SystemMatrices matrices(*assembly_, options.mass, options.strain);
     const auto rate = [this](const unsigned int body) { return model_.bodies[body].rate; };
@@ -112,7 +112,7 @@ namespace vfife
 
   void Compliance::check_motions()
   {
-    for (const Discretization::Part &part : discretization_.parts())
+    for (const FemSpace::Part &part : space_.parts())
       {
         const bool hub     = has_turning_hub(model_, part.body);
         bool       bearing = false;
@@ -120,11 +120,10 @@ namespace vfife
         if (model_.transmission && part.body == model_.transmission->driven)
           for (const Bearing &of_body : model_.bearings)
             bearing = bearing || of_body.body == part.body;
-        const auto motions = find_free_motions(discretization_, part);
+        const auto motions = find_free_motions(space_, part);
         if (motions.empty())
           continue;
-        if (motions.size() > 1 || !(hub || bearing) ||
-            !is_turn(discretization_, part, motions.front()))
+        if (motions.size() > 1 || !(hub || bearing) || !is_turn(space_, part, motions.front()))
           throw InputError("body \"" + model_.bodies[part.body].name() +
                            "\" can move rigidly otherwise than by turning on its hub or, driven, "
                            "in its bearings, so it has no static equilibrium; hold more of its "
@@ -190,15 +189,15 @@ namespace vfife
     for (SectorBody &body : sectors_)
       {
         body.watched.clear();
-        std::vector<unsigned int> nodes;
+        std::vector<unsigned int> points_of_body;
         for (unsigned int k = 0; k < watched_.size(); ++k)
           if (3 * std::size_t(watched_[k]) >= body.first &&
               3 * std::size_t(watched_[k]) < body.first + body.n)
             {
               body.watched.push_back(k);
-              nodes.push_back(watched_[k] - body.first / 3);
+              points_of_body.push_back(watched_[k] - body.first / 3);
             }
-        body.statics->watch(std::move(nodes));
+        body.statics->watch(std::move(points_of_body));
       }
   }
 

@@ -7,18 +7,17 @@
 
 namespace vfife
 {
-  std::vector<Reaction> compute_reactions(const Discretization &discretization,
-                                          const StaticResult   &result)
+  std::vector<Reaction> compute_reactions(const FemSpace &space, const StaticResult &result)
   {
-    const Model          &model = discretization.model();
+    const Model          &model = space.model();
     std::vector<Reaction> reactions(list_supports(model).size());
     const auto            at = [](const std::vector<double> &field, const unsigned int p) {
       return Vector3(Eigen::Map<const Vector3>(field.data() + 3 * std::size_t(p)));
     };
     // 1. Constraints: what is out of balance at their points.
-    for (const auto &[p, constraints] : find_point_constraints(discretization))
+    for (const auto &[p, constraints] : find_point_constraints(space))
       {
-        const Vector3 &place = discretization.points()[p];
+        const Vector3 &place = space.points()[p];
         for (const auto &[constraint, part] : constraints.share(at(result.reactions, p), place))
           reactions[constraint - model.constraints.data()].add(place, part);
       }
@@ -27,13 +26,13 @@ namespace vfife
     for (const Load &load : model.loads)
       if (load.kind == LoadKind::spring)
         {
-          for (const auto &[p, stiffness] : find_springs(load, discretization))
-            reactions[s].add(discretization.points()[p], -stiffness * at(result.displacements, p));
+          for (const auto &[p, stiffness] : find_springs(load, space))
+            reactions[s].add(space.points()[p], -stiffness * at(result.displacements, p));
           ++s;
         }
     // 3. Bearings and couplings: preload - K B u on the points of their rings.
     std::vector<double>   forces(result.displacements.size(), 0.);
-    const BearingRings    rings(discretization);
+    const BearingRings    rings(space);
     const Eigen::VectorXd loads = rings.preload() - rings.stiffness([&](const unsigned int body) {
       return result.turns ? model.bodies[body].rate : 0.;
     }) * rings.displacement(result.displacements);
@@ -43,7 +42,7 @@ namespace vfife
         ring.add_forces(loads.segment<6>(6 * r), forces);
         for (const unsigned int p : ring.points)
           {
-            reactions[ring.support].add(discretization.points()[p], at(forces, p));
+            reactions[ring.support].add(space.points()[p], at(forces, p));
             Eigen::Map<Vector3>(forces.data() + 3 * std::size_t(p)).setZero();
           }
       }

@@ -21,8 +21,7 @@ namespace vfife
     }
 
     /** Shifts across the axis and tilts, these with 1 mm at the farthest point. */
-    std::vector<std::vector<double>> make_motions(const Discretization       &d,
-                                                  const Discretization::Part &part)
+    std::vector<std::vector<double>> make_motions(const FemSpace &d, const FemSpace::Part &part)
     {
       const Axis &axis = d.model().bodies[part.body].axis;
       double      size = 0;
@@ -40,8 +39,8 @@ namespace vfife
     }
 
     /** Values at the points of a part. */
-    Eigen::Map<const Eigen::RowVectorXd> of_part(const std::vector<double>  &field,
-                                                 const Discretization::Part &part)
+    Eigen::Map<const Eigen::RowVectorXd> of_part(const std::vector<double> &field,
+                                                 const FemSpace::Part      &part)
     {
       return {field.data() + 3 * std::size_t(part.first_point), 3 * Eigen::Index(part.n_points)};
     }
@@ -52,10 +51,10 @@ namespace vfife
                                                     const SystemMatrices::Rate &rate)
   {
     const Assembly             &assembly = matrices.assembly();
-    const Discretization       &d        = assembly.discretization();
+    const FemSpace             &d        = assembly.space();
     const Eigen::MatrixXd       bearings = assembly.rings().stiffness(rate);
     std::vector<StandingMotion> all;
-    for (const Discretization::Part &part : d.parts())
+    for (const FemSpace::Part &part : d.parts())
       {
         if (rate(part.body) == 0. || !hangs_in_bearings(d.model(), part.body))
           continue;

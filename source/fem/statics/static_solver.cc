@@ -33,34 +33,6 @@ namespace vfife
     {
       return loads.time ? history.value(*loads.time) : loads.part_of_loads;
     }
-
-    /** Values at the corners of an element from those at its n^3 Gauss points. */
-    Eigen::MatrixXd corner_extrapolation(const unsigned int n)
-    {
-      // Places of the Gauss points on a line: -+ 1/sqrt(3), or 0 and -+ sqrt(3/5).
-      const double        outer  = n == 2 ? 1. / std::sqrt(3.) : std::sqrt(.6);
-      std::vector<double> points = {-outer, outer};
-      if (n == 3)
-        points = {-outer, 0., outer};
-      // One at Gauss point i of a line, zero at the others; the field through all n^3 values is
-      // evaluated at the corners, which lie outside of them.
-      const auto lagrange = [&](const unsigned int i, const double x) {
-        double value = 1.;
-        for (unsigned int j = 0; j < n; ++j)
-          if (j != i)
-            value *= (x - points[j]) / (points[i] - points[j]);
-        return value;
-      };
-      Eigen::MatrixXd matrix(n * n * n, 8);
-      for (unsigned int q = 0; q < n * n * n; ++q)
-        for (unsigned int v = 0; v < 8; ++v)
-          {
-            const Vector3 x = reference_corner(v);
-            matrix(q, v) =
-              lagrange(q % n, x[0]) * lagrange(q / n % n, x[1]) * lagrange(q / (n * n), x[2]);
-          }
-      return matrix;
-    }
   } // namespace
 
   StaticSolver::StaticSolver(const Model                     &model,
@@ -71,19 +43,19 @@ namespace vfife
     : model_(model)
     , options_(options)
     , communicator_(communicator)
-    , discretization_(model, bodies, options.element)
+    , space_(model, bodies, options.element, options.geometry)
     , rotation_(rotation)
   {
-    for (const Discretization::Part &part : discretization_.parts())
+    for (const FemSpace::Part &part : space_.parts())
       {
         const bool has_hub = has_turning_hub(model, part.body);
         // Of a hub that is pinned or held, the rotation about the axis is not missing.
-        const auto        motions = find_free_motions(discretization_, part);
+        const auto        motions = find_free_motions(space_, part);
         const std::size_t n       = motions.size();
         std::size_t       allowed = has_hub && rotation != HubRotation::free ? 1 : 0;
         // Nor of a shaft in its bearings.
         if (!has_hub && n == 1 && rotation == HubRotation::pinned &&
-            model.bodies[part.body].floats && is_turn(discretization_, part, motions.front()))
+            model.bodies[part.body].floats && is_turn(space_, part, motions.front()))
           {
             pinned_.push_back(part.body);
             allowed = 1;
@@ -98,17 +70,16 @@ namespace vfife
 
   std::vector<double> StaticSolver::make_forces(const StaticLoads &loads) const
   {
-    std::vector<double> forces(3 * static_cast<std::size_t>(discretization_.n_points()), 0.);
+    std::vector<double> forces(3 * static_cast<std::size_t>(space_.n_points()), 0.);
     for (const Torque &torque : model_.torques)
-      if (const auto *part = discretization_.find_part(torque.body))
-        add_torque_forces(
-          torque, discretization_, *part, loads.part_of_torques * torque.value, forces);
+      if (const auto *part = space_.find_part(torque.body))
+        add_torque_forces(torque, space_, *part, loads.part_of_torques * torque.value, forces);
     for (const Load &load : model_.loads)
-      if (const auto *part = discretization_.find_part(load.body);
+      if (const auto *part = space_.find_part(load.body);
           part != nullptr && load.kind != LoadKind::spring)
-        add_load_forces(load, discretization_, *part, factor_of(load.history, loads), forces);
+        add_load_forces(load, space_, *part, factor_of(load.history, loads), forces);
     if (!loads.nodal_forces.empty())
-      for (const Discretization::Part &part : discretization_.parts())
+      for (const FemSpace::Part &part : space_.parts())
         {
           const Body &body = model_.bodies[part.body];
           for (unsigned int i = 0; i < body.n_nodes(); ++i)
@@ -136,8 +107,8 @@ namespace vfife
     // g(u) = K u - what acts: forces of the model and springs on one rank, the rest element by
     // element; about a state of spin u_s, f(u_s) + K(u_s) (u - u_s) instead of K u. Without
     // constraints it is zero in equilibrium; with them it is what they exert.
-    const Discretization &d       = discretization_;
-    const bool            is_root = communicator_.is_root();
+    const FemSpace &d       = space_;
+    const bool      is_root = communicator_.is_root();
     // Without displacements, as in the first call where none are prescribed, no element stiffness
     // is asked for.
     const bool moved = std::any_of(u.begin(), u.end(), [](const double v) { return v != 0.; }) ||
@@ -259,7 +230,7 @@ namespace vfife
     unknowns.padded       = options_.linear_solver == LinearSolverKind::multigrid;
     unknowns.rotation     = rotation_;
     unknowns.led_are_held = true;
-    const Assembly             assembly(discretization_, unknowns, communicator_);
+    const Assembly             assembly(space_, unknowns, communicator_);
     const SystemMatrices       matrices(assembly, options_.mass, options_.strain);
     const SystemMatrices::Rate rate = body_rate(loads);
     StaticResult               result;
@@ -284,7 +255,7 @@ namespace vfife
 
     // K T q = -g(u) at the state of spin with the prescribed displacements.
     std::vector<double> &u = result.displacements;
-    u = compute_prescribed_displacements(discretization_, [&loads](const Constraint &constraint) {
+    u = compute_prescribed_displacements(space_, [&loads](const Constraint &constraint) {
       return factor_of(constraint.history, loads);
     });
     if (!state.displacements.empty())
@@ -311,30 +282,28 @@ namespace vfife
 
   std::vector<Stress> StaticSolver::compute_node_stresses(const StaticResult &result) const
   {
-    return vfife::compute_node_stresses(discretization_, result.displacements);
+    return vfife::compute_node_stresses(space_, result.displacements);
   }
 
-  std::vector<Stress> compute_node_stresses(const Discretization      &discretization,
+  std::vector<Stress> compute_node_stresses(const FemSpace            &space,
                                             const std::vector<double> &displacements)
   {
-    const Model &model = discretization.model();
+    const Model &model = space.model();
     // The plain mean of the elements that meet at a node.
     std::vector<Stress>       stresses(model.n_nodes(), Stress::Zero());
     std::vector<unsigned int> counts(model.n_nodes(), 0);
-    const Eigen::MatrixXd     corners =
-      corner_extrapolation(discretization.element() == FemElement::quadratic ? 3 : 2);
-    for (const Discretization::Part &part : discretization.parts())
+    const Eigen::MatrixXd    &corners = corner_extrapolation(space.degree());
+    for (const FemSpace::Part &part : space.parts())
       {
         const Body &body = model.bodies[part.body];
         for (unsigned int e = 0; e < part.n_elements; ++e)
           {
             const unsigned int                element = part.first_element + e;
             const Eigen::Matrix<double, 6, 8> values =
-              compute_point_stresses(discretization.element_nodes(element),
+              compute_point_stresses(space.element_nodes(element),
                                      body.material(e),
-                                     discretization.element(),
-                                     discretization.gather_from_stress_free(element,
-                                                                            displacements)) *
+                                     space.element(),
+                                     space.gather_from_stress_free(element, displacements)) *
               corners;
             for (unsigned int v = 0; v < 8; ++v)
               {

@@ -6,18 +6,18 @@
 
 namespace vfife
 {
-  Assembly::Assembly(const Discretization    &discretization,
+  Assembly::Assembly(const FemSpace          &space,
                      const Unknowns::Options &options,
                      const Communicator      &communicator,
                      Links                    links,
                      const HousingLaw         housing)
-    : discretization_(discretization)
+    : space_(space)
     , communicator_(communicator)
-    , unknowns_(discretization, options, communicator.size())
+    , unknowns_(space, options, communicator.size())
     , first_(unknowns_.first(communicator.rank()))
     , last_(unknowns_.first(communicator.rank() + 1))
     , links_(std::move(links))
-    , rings_(discretization, housing, options.harmonic)
+    , rings_(space, housing, options.harmonic)
   {
     // Every rank knows all points and numbers all unknowns alike; it sums only the
     // rows that it owns. So no matrix entries are sent: elements at the border
@@ -28,9 +28,9 @@ namespace vfife
 
   void Assembly::find_elements()
   {
-    const unsigned int n_local = discretization_.points_per_element();
-    const std::size_t  copy    = 3 * static_cast<std::size_t>(discretization_.n_points());
-    for (unsigned int e = 0; e < discretization_.n_elements(); ++e)
+    const unsigned int n_local = space_.points_per_element();
+    const std::size_t  copy    = 3 * static_cast<std::size_t>(space_.n_points());
+    for (unsigned int e = 0; e < space_.n_elements(); ++e)
       {
         // Every rank that owns an unknown of the element's points, in any copy of them, computes
         // it.
@@ -38,8 +38,7 @@ namespace vfife
         for (unsigned int a = 0; a < n_local && !mine; ++a)
           for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
             {
-              const std::size_t row =
-                k * copy + 3 * std::size_t(discretization_.element_points(e)[a]);
+              const std::size_t row = k * copy + 3 * std::size_t(space_.element_points(e)[a]);
               for (const auto *t = unknowns_.begin(row); t != unknowns_.end(row + 2); ++t)
                 mine = mine || is_mine(t->unknown);
             }
@@ -50,8 +49,8 @@ namespace vfife
 
   void Assembly::make_pattern()
   {
-    const unsigned int n_local = discretization_.points_per_element();
-    const std::size_t  copy    = 3 * static_cast<std::size_t>(discretization_.n_points());
+    const unsigned int n_local = space_.points_per_element();
+    const std::size_t  copy    = 3 * static_cast<std::size_t>(space_.n_points());
     // First the columns of each own row in a list of their own, then all lists behind each other.
     std::vector<std::vector<int>> rows(last_ - first_);
     std::vector<std::size_t>      compressed(rows.size(), 0);
@@ -97,7 +96,7 @@ namespace vfife
         }
     };
     for (const unsigned int e : elements_)
-      couple(discretization_.element_points(e), n_local);
+      couple(space_.element_points(e), n_local);
     for (const std::vector<unsigned int> &link : links_)
       couple(link.data(), link.size());
     std::vector<std::vector<int>> of_rings;
@@ -161,12 +160,12 @@ namespace vfife
   SparseValues Assembly::matrix(const ElementMatrix &element) const
   {
     SparseValues      values(pattern_.columns.size(), 0.);
-    const std::size_t copy = 3 * static_cast<std::size_t>(discretization_.n_points());
+    const std::size_t copy = 3 * static_cast<std::size_t>(space_.n_points());
     for (const unsigned int e : elements_)
       {
         const Eigen::MatrixXd A = element(e);
         for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
-          add(k * copy, discretization_.element_points(e), A, values);
+          add(k * copy, space_.element_points(e), A, values);
       }
     return values;
   }
@@ -175,7 +174,7 @@ namespace vfife
   Assembly::point_matrix(const std::vector<std::pair<unsigned int, Matrix3>> &points) const
   {
     SparseValues      values(pattern_.columns.size(), 0.);
-    const std::size_t copy = 3 * static_cast<std::size_t>(discretization_.n_points());
+    const std::size_t copy = 3 * static_cast<std::size_t>(space_.n_points());
     for (const auto &point : points)
       for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
         {
@@ -189,7 +188,7 @@ namespace vfife
   Assembly::link_matrix(const std::function<Eigen::MatrixXd(unsigned int link)> &link) const
   {
     SparseValues      values(pattern_.columns.size(), 0.);
-    const std::size_t copy = 3 * static_cast<std::size_t>(discretization_.n_points());
+    const std::size_t copy = 3 * static_cast<std::size_t>(space_.n_points());
     for (unsigned int l = 0; l < links_.size(); ++l)
       for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
         add(k * copy, links_[l].data(), link(l), values);
@@ -215,11 +214,11 @@ namespace vfife
   OwnedVector Assembly::vector(const ElementVector &element) const
   {
     OwnedVector       values(last_ - first_, 0.);
-    const std::size_t copy = 3 * static_cast<std::size_t>(discretization_.n_points());
+    const std::size_t copy = 3 * static_cast<std::size_t>(space_.n_points());
     for (const unsigned int e : elements_)
       {
         const Eigen::VectorXd f      = element(e);
-        const unsigned int   *points = discretization_.element_points(e);
+        const unsigned int   *points = space_.element_points(e);
         for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
           for (int i = 0; i < f.size(); ++i)
             {

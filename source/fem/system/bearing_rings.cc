@@ -41,10 +41,10 @@ namespace vfife
         motion.middleCols<3>(3 * i).transpose() * load;
   }
 
-  BearingRings::BearingRings(const Discretization &discretization,
-                             const HousingLaw      housing,
-                             const unsigned int    harmonic)
-    : discretization_(discretization)
+  BearingRings::BearingRings(const FemSpace    &space,
+                             const HousingLaw   housing,
+                             const unsigned int harmonic)
+    : space_(space)
     , harmonic_(harmonic)
   {
     // Sums over the sectors leave nothing of a ring's mean motion in higher harmonics.
@@ -59,22 +59,22 @@ namespace vfife
                                       const SelectedFaces             &faces,
                                       const std::string               &owner) const
   {
-    const Discretization::Part &part = *discretization_.find_part(b);
-    const Body                 &body = discretization_.model().bodies[b];
-    BearingRing                 ring;
+    const FemSpace::Part &part = *space_.find_part(b);
+    const Body           &body = space_.model().bodies[b];
+    BearingRing           ring;
     ring.body = b;
-    if (discretization_.sector_angle() > 0)
+    if (space_.sector_angle() > 0)
       {
         take_sector(body, nodes, faces, owner, ring);
         return ring;
       }
     std::vector<double>  shares;
     std::vector<Vector3> places;
-    for (const auto &share : point_area_shares(body, nodes, faces, discretization_, part))
+    for (const auto &share : point_area_shares(body, nodes, faces, space_, part))
       {
         ring.points.push_back(share.first);
         shares.push_back(share.second);
-        places.push_back(discretization_.points()[share.first]);
+        places.push_back(space_.points()[share.first]);
       }
     const MeanMotion         set(shares, places, owner);
     const MeanMotion::Motion at_rest = set.at_rest();
@@ -110,7 +110,7 @@ namespace vfife
     const Matrix6 quarter =
       on_both(std::sqrt(2. * n) * .5 *
               (axes.col(1) * axes.col(0).transpose() - axes.col(0) * axes.col(1).transpose()));
-    const unsigned int                       n_points = discretization_.n_points();
+    const unsigned int                       n_points = space_.n_points();
     std::vector<Eigen::Matrix<double, 6, 3>> columns;
     const auto add = [&](const unsigned int point, const Eigen::Matrix<double, 6, 3> &motion) {
       ring.points.push_back(point);
@@ -136,13 +136,12 @@ namespace vfife
 
   void BearingRings::add_bearings(const HousingLaw housing)
   {
-    const Model                &model = discretization_.model();
+    const Model                &model = space_.model();
     const std::size_t           first = first_bearing(model);
     const BearingSystem::Linear law   = make_bearing_system(model).linearized();
     std::vector<std::size_t>    seats;
     for (std::size_t b = 0; b < model.bearings.size(); ++b)
-      if (const Bearing &bearing = model.bearings[b];
-          discretization_.find_part(bearing.body) != nullptr)
+      if (const Bearing &bearing = model.bearings[b]; space_.find_part(bearing.body) != nullptr)
         {
           rings_.push_back(make_ring(
             bearing.body, bearing.nodes, bearing.faces, "bearing \"" + bearing.name + "\""));
@@ -166,12 +165,12 @@ namespace vfife
 
   void BearingRings::add_couplings()
   {
-    const Model      &model = discretization_.model();
+    const Model      &model = space_.model();
     const std::size_t first = first_bearing(model) + model.bearings.size();
     for (std::size_t c = 0; c < model.couplings.size(); ++c)
       {
         const Coupling &coupling = model.couplings[c];
-        if (discretization_.find_part(coupling.body) == nullptr)
+        if (space_.find_part(coupling.body) == nullptr)
           continue;
         const auto row = static_cast<Eigen::Index>(6 * rings_.size());
         rings_.push_back(make_ring(
@@ -186,7 +185,7 @@ namespace vfife
 
   Eigen::MatrixXd BearingRings::mean_over_turns(const Eigen::MatrixXd &K, const Rate &rate) const
   {
-    const Model    &model = discretization_.model();
+    const Model    &model = space_.model();
     Eigen::MatrixXd mean  = K;
     for (std::size_t i = 0; i < rings_.size(); ++i)
       for (std::size_t j = 0; j < rings_.size(); ++j)
@@ -223,7 +222,7 @@ namespace vfife
   Eigen::MatrixXd BearingRings::stiffness(const Rate &rate) const
   {
     const Eigen::MatrixXd K = mean_over_turns(stiffness_, rate);
-    if (discretization_.sector_angle() > 0)
+    if (space_.sector_angle() > 0)
       require_isotropic(K);
     return K;
   }
@@ -231,7 +230,7 @@ namespace vfife
   void BearingRings::require_isotropic(const Eigen::MatrixXd &K) const
   {
     const Eigen::MatrixXd mean  = mean_over_turns(K, [](unsigned int) { return 1.; });
-    const auto            first = first_bearing(discretization_.model());
+    const auto            first = first_bearing(space_.model());
     for (std::size_t i = 0; i < rings_.size(); ++i)
       {
         // Displacements, turns and what joins them have units of their own.
@@ -247,7 +246,7 @@ namespace vfife
               if (std::abs(K(row, column) - mean(row, column)) >
                   1e-6 * std::sqrt((c < 18 ? way : turn) * other))
                 throw InputError(
-                  "bearing \"" + discretization_.model().bearings[rings_[i].support - first].name +
+                  "bearing \"" + space_.model().bearings[rings_[i].support - first].name +
                   "\": its stiffness is not the same in all directions across the axis, so that "
                   "it joins harmonics of one sector; at rest take the whole body "
                   "(cyclic symmetry = no)");

@@ -3,15 +3,14 @@
 
 namespace vfife
 {
-  std::map<unsigned int, NodeConstraints>
-  find_point_constraints(const Discretization &discretization)
+  std::map<unsigned int, NodeConstraints> find_point_constraints(const FemSpace &space)
   {
     std::map<unsigned int, NodeConstraints> points;
-    const Model                            &model = discretization.model();
+    const Model                            &model = space.model();
     for (const Constraint &constraint : model.constraints)
-      if (const Discretization::Part *part = discretization.find_part(constraint.body))
-        for (const unsigned int p : discretization.points_of(*part, constraint.nodes))
-          points.try_emplace(p, model.bodies[constraint.body], discretization.points()[p])
+      if (const FemSpace::Part *part = space.find_part(constraint.body))
+        for (const unsigned int p : space.points_of(*part, constraint.nodes))
+          points.try_emplace(p, model.bodies[constraint.body], space.points()[p])
             .first->second.add(constraint);
     for (const auto &[p, constraints] : points)
       constraints.check();

@@ -9,36 +9,35 @@
 
 namespace vfife
 {
-  std::vector<std::vector<double>> make_rigid_motions(const Discretization       &discretization,
-                                                      const Discretization::Part &part,
-                                                      const Vector3              &centre)
+  std::vector<std::vector<double>>
+  make_rigid_motions(const FemSpace &space, const FemSpace::Part &part, const Vector3 &centre)
   {
     std::vector<std::vector<double>> motions(
-      6, std::vector<double>(3 * static_cast<std::size_t>(discretization.n_points()), 0.));
+      6, std::vector<double>(3 * static_cast<std::size_t>(space.n_points()), 0.));
     for (std::size_t p = part.first_point; p < part.first_point + part.n_points; ++p)
       for (unsigned int d = 0; d < 3; ++d)
         {
           // A way of 1 mm along d, and a small turn of 1 rad about d.
           motions[d][3 * p + d] = 1.;
-          const Vector3 turn    = Vector3::Unit(d).cross(discretization.points()[p] - centre);
+          const Vector3 turn    = Vector3::Unit(d).cross(space.points()[p] - centre);
           for (unsigned int c = 0; c < 3; ++c)
             motions[3 + d][3 * p + c] = turn[c];
         }
     return motions;
   }
 
-  std::vector<std::vector<double>> find_free_motions(const Discretization       &discretization,
-                                                     const Discretization::Part &part)
+  std::vector<std::vector<double>> find_free_motions(const FemSpace       &space,
+                                                     const FemSpace::Part &part)
   {
-    const Model &model  = discretization.model();
+    const Model &model  = space.model();
     Vector3      centre = Vector3::Zero();
     for (unsigned int p = part.first_point; p < part.first_point + part.n_points; ++p)
-      centre += discretization.points()[p] / part.n_points;
+      centre += space.points()[p] / part.n_points;
     // Rotations are divided by the largest distance from the centre:
     // all six have the same magnitude.
     double size = 0;
     for (unsigned int p = part.first_point; p < part.first_point + part.n_points; ++p)
-      size = std::max(size, (discretization.points()[p] - centre).norm());
+      size = std::max(size, (space.points()[p] - centre).norm());
 
     // Sum of squares of what the constraints forbid, for translations and rotations times size.
     // A hub that turns rigidly forbids nothing more than free rotation: rigid motions turn all
@@ -49,27 +48,24 @@ namespace vfife
       for (unsigned int d = 0; d < 3; ++d)
         {
           motion.col(d) = Vector3::Unit(d);
-          motion.col(3 + d) = Vector3::Unit(d).cross(discretization.points()[p] - centre) / size;
+          motion.col(3 + d) = Vector3::Unit(d).cross(space.points()[p] - centre) / size;
         }
       forbidden += motion.transpose() * held * motion / part.n_points;
     };
     for (const Constraint &constraint : model.constraints)
       if (constraint.body == part.body)
-        for (const unsigned int p : discretization.points_of(part, constraint.nodes))
-          forbid(p,
-                 compute_held_projector(constraint,
-                                        model.bodies[part.body],
-                                        discretization.points()[p]));
+        for (const unsigned int p : space.points_of(part, constraint.nodes))
+          forbid(p, compute_held_projector(constraint, model.bodies[part.body], space.points()[p]));
     for (const Load &load : model.loads)
       if (load.kind == LoadKind::spring && load.body == part.body)
-        for (const unsigned int p : discretization.points_of(part, load.nodes))
+        for (const unsigned int p : space.points_of(part, load.nodes))
           forbid(p, Matrix3(load.vector.cwiseSign().asDiagonal()));
-    const auto rigid = make_rigid_motions(discretization, part, centre);
+    const auto rigid = make_rigid_motions(space, part, centre);
     // Bearings and couplings hold what has a stiffness, each by its own measure of it: one of ways
     // and one of turns, whatever the axes of the bearing are.
-    if (discretization.sector_angle() == 0)
+    if (space.sector_angle() == 0)
       {
-        const BearingRings    rings(discretization, HousingLaw::own_seats);
+        const BearingRings    rings(space, HousingLaw::own_seats);
         const Eigen::MatrixXd K = rings.stiffness([](unsigned int) { return 0.; });
         for (std::size_t r = 0; r < rings.list().size(); ++r)
           {

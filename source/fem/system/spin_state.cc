@@ -30,8 +30,7 @@ namespace vfife
   {
     const Assembly &assembly = matrices.assembly();
     SpinState       state;
-    state.displacements.assign(3 * static_cast<std::size_t>(assembly.discretization().n_points()),
-                               0.);
+    state.displacements.assign(3 * static_cast<std::size_t>(assembly.space().n_points()), 0.);
     const auto refuse = [&name]() {
       throw NumericalError(name + " no stable state of spin: the speed is too high");
     };

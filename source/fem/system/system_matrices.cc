@@ -35,27 +35,27 @@ namespace vfife
 
   Eigen::MatrixXd SystemMatrices::mass_coefficients(const unsigned int e) const
   {
-    const Discretization &d = assembly_.discretization();
+    const FemSpace &d = assembly_.space();
     return compute_mass_coefficients(d.element_nodes(e), d.material(e).density, mass_);
   }
 
   unsigned int SystemMatrices::body(const unsigned int e) const
   {
-    return assembly_.discretization().part_of_element(e).body;
+    return assembly_.space().part_of_element(e).body;
   }
 
   const Axis &SystemMatrices::axis(const unsigned int e) const
   {
-    return assembly_.discretization().model().bodies[body(e)].axis;
+    return assembly_.space().model().bodies[body(e)].axis;
   }
 
   SparseValues SystemMatrices::stiffness(const Rate &rate) const
   {
-    const Discretization &d       = assembly_.discretization();
-    SparseValues          K       = assembly_.matrix([&](const unsigned int e) {
+    const FemSpace &d       = assembly_.space();
+    SparseValues    K       = assembly_.matrix([&](const unsigned int e) {
       return compute_fem_stiffness(d.element_nodes(e), d.material(e), d.element());
     });
-    const auto            springs = find_springs(d);
+    const auto      springs = find_springs(d);
     if (!springs.empty())
       K = add_scaled(std::move(K), 1., assembly_.point_matrix(springs));
     return add_rings(std::move(K), rate);
@@ -97,12 +97,12 @@ namespace vfife
   SystemMatrices::PointMatrices SystemMatrices::hub_curvature(const std::vector<double> &u,
                                                               const Rate                &rate) const
   {
-    const Discretization &d = assembly_.discretization();
+    const FemSpace &d = assembly_.space();
     // The force F of the constraint stays radial. When the point moves by u_t along the circle of
     // radius r, F turns by u_t/r, which is a force F/r u_t along the tangent: a stiffness of -F/r.
     std::map<unsigned int, Vector3> reactions;
     for (const Constraint &constraint : d.model().constraints)
-      if (const Discretization::Part *part = d.find_part(constraint.body))
+      if (const FemSpace::Part *part = d.find_part(constraint.body))
         if (constraint.kind == ConstraintKind::free_rotation ||
             constraint.kind == ConstraintKind::rigid_hub)
           for (const unsigned int p : d.points_of(*part, constraint.nodes))
@@ -153,9 +153,9 @@ namespace vfife
                                                     const Eigen::VectorXd &u,
                                                     const Rate            &rate) const
   {
-    const Discretization &d     = assembly_.discretization();
-    const Axis           &line  = axis(e);
-    const double          omega = rate(body(e));
+    const FemSpace &d     = assembly_.space();
+    const Axis     &line  = axis(e);
+    const double    omega = rate(body(e));
     // Omega^2 m_ab (1 - a a^T) (X + u)_b, the columns of X being the element's points.
     const ElementNodes moved =
       d.element_nodes(e) + Eigen::Map<const ElementNodes>(u.data(), 3, u.size() / 3);
@@ -167,7 +167,7 @@ namespace vfife
   SystemMatrices::PointMatrices SystemMatrices::point_stiffnesses(const std::vector<double> &u,
                                                                   const Rate &rate) const
   {
-    PointMatrices       points = find_springs(assembly_.discretization());
+    PointMatrices       points = find_springs(assembly_.space());
     const PointMatrices hub    = hub_curvature(u, rate);
     points.insert(points.end(), hub.begin(), hub.end());
     return points;
@@ -176,8 +176,8 @@ namespace vfife
   SparseValues SystemMatrices::spinning_stiffness(const std::vector<double> &u,
                                                   const Rate                &rate) const
   {
-    const Discretization &d = assembly_.discretization();
-    SparseValues          K = assembly_.matrix([&](const unsigned int e) -> Eigen::MatrixXd {
+    const FemSpace &d = assembly_.space();
+    SparseValues    K = assembly_.matrix([&](const unsigned int e) -> Eigen::MatrixXd {
       const double omega = rate(body(e));
       return compute_element_state(d.stress_free_nodes(e),
                                    d.material(e),
@@ -196,8 +196,8 @@ namespace vfife
                                                 const Rate                &rate,
                                                 const bool                 softening) const
   {
-    const Discretization &d        = assembly_.discretization();
-    OwnedVector           residual = assembly_.vector([&](const unsigned int e) -> Eigen::VectorXd {
+    const FemSpace     &d        = assembly_.space();
+    OwnedVector         residual = assembly_.vector([&](const unsigned int e) -> Eigen::VectorXd {
       const Eigen::VectorXd v = d.gather(e, u);
       return centrifugal_force(e, softening ? v : Eigen::VectorXd::Zero(v.size()), rate) -
              compute_element_state(d.stress_free_nodes(e),
@@ -208,7 +208,7 @@ namespace vfife
                                    false)
                .forces;
     });
-    std::vector<double>   held(3 * static_cast<std::size_t>(d.n_points()), 0.);
+    std::vector<double> held(3 * static_cast<std::size_t>(d.n_points()), 0.);
     for (const auto &point : point_stiffnesses(u, rate))
       Eigen::Map<Vector3>(held.data() + 3 * std::size_t(point.first)) -=
         point.second * Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(point.first));
@@ -220,7 +220,7 @@ namespace vfife
 
   OwnedVector SystemMatrices::apply_mass(const std::vector<double> &field) const
   {
-    const Discretization &d = assembly_.discretization();
+    const FemSpace &d = assembly_.space();
     return assembly_.vector([&](const unsigned int e) -> Eigen::VectorXd {
       const Eigen::VectorXd values = d.gather(e, field);
       const ElementNodes    forces =
@@ -231,9 +231,9 @@ namespace vfife
 
   std::vector<OwnedVector> SystemMatrices::near_kernel() const
   {
-    const Discretization    &d = assembly_.discretization();
+    const FemSpace          &d = assembly_.space();
     std::vector<OwnedVector> kernel;
-    for (const Discretization::Part &part : d.parts())
+    for (const FemSpace::Part &part : d.parts())
       {
         Vector3 centre = Vector3::Zero();
         for (unsigned int p = part.first_point; p < part.first_point + part.n_points; ++p)

@@ -18,17 +18,15 @@ namespace vfife
                        });
   }
 
-  bool is_turn(const Discretization       &discretization,
-               const Discretization::Part &part,
-               const std::vector<double>  &motion)
+  bool is_turn(const FemSpace &space, const FemSpace::Part &part, const std::vector<double> &motion)
   {
     // What is left of it without its part along the turn a x (X - c).
-    const Axis &axis  = discretization.model().bodies[part.body].axis;
+    const Axis &axis  = space.model().bodies[part.body].axis;
     double      whole = 0, along = 0, turn = 0;
     for (unsigned int p = part.first_point; p < part.first_point + part.n_points; ++p)
       {
         const Eigen::Map<const Vector3> u(motion.data() + 3 * std::size_t(p));
-        const Vector3 way = axis.direction.cross(discretization.points()[p] - axis.point);
+        const Vector3                   way = axis.direction.cross(space.points()[p] - axis.point);
         whole += u.squaredNorm();
         along += u.dot(way);
         turn += way.squaredNorm();
@@ -41,7 +39,7 @@ namespace vfife
   {
     if (bodies.empty())
       return K;
-    const Discretization  &d         = assembly.discretization();
+    const FemSpace        &d         = assembly.space();
     const double           stiffness = assembly.mean_diagonal(K);
     std::set<unsigned int> done;
     // The points of a ring are coupled anyway.

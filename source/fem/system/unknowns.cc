@@ -18,16 +18,16 @@ namespace vfife
     constexpr unsigned int none = static_cast<unsigned int>(-1);
 
     /** From one sector to the next, fixed frame. */
-    Matrix3 sector_turn(const Discretization &discretization)
+    Matrix3 sector_turn(const FemSpace &space)
     {
-      const Body &body = discretization.model().bodies[discretization.parts()[0].body];
-      return rotation_about(compute_sector_axis(body).direction, discretization.sector_angle());
+      const Body &body = space.model().bodies[space.parts()[0].body];
+      return rotation_about(compute_sector_axis(body).direction, space.sector_angle());
     }
-    [[noreturn]] void refuse_held_bodies(const Discretization &discretization)
+    [[noreturn]] void refuse_held_bodies(const FemSpace &space)
     {
       std::vector<std::string> names;
-      for (const Discretization::Part &part : discretization.parts())
-        names.push_back(discretization.model().bodies[part.body].name());
+      for (const FemSpace::Part &part : space.parts())
+        names.push_back(space.model().bodies[part.body].name());
       throw InputError("Model/constraints",
                        "nothing is free to move: all nodes of " + list_of(names, true) +
                          " are held in all directions; leave some of them free");
@@ -53,11 +53,9 @@ namespace vfife
     LocalAxes() = default;
   };
 
-  Unknowns::Unknowns(const Discretization &discretization,
-                     const Options        &options,
-                     const unsigned int    n_ranks)
+  Unknowns::Unknowns(const FemSpace &space, const Options &options, const unsigned int n_ranks)
   {
-    const double       angle = discretization.sector_angle();
+    const double       angle = space.sector_angle();
     const unsigned int n     = angle > 0 ? std::lround(2. * pi / angle) : 0;
     if (options.harmonic > n / 2)
       throw InputError("a body of " + std::to_string(n) + " sectors has harmonics 0 to " +
@@ -67,33 +65,32 @@ namespace vfife
 
     // Three passes: what is free at each point, who owns it and which
     // number it gets, then the rows of T.
-    std::vector<LocalAxes> axes = make_axes(discretization, options);
-    number(discretization, options.padded, n_ranks, axes);
-    fill_terms(discretization, options, axes);
+    std::vector<LocalAxes> axes = make_axes(space, options);
+    number(space, options.padded, n_ranks, axes);
+    fill_terms(space, options, axes);
     if (std::find(padding_.begin(), padding_.end(), 0) == padding_.end())
-      refuse_held_bodies(discretization);
+      refuse_held_bodies(space);
   }
 
-  void Unknowns::refuse_led_directions(const Discretization &discretization, const Options &options)
+  void Unknowns::refuse_led_directions(const FemSpace &space, const Options &options)
   {
-    for (const Constraint &constraint : discretization.model().constraints)
+    for (const Constraint &constraint : space.model().constraints)
       if (constraint.kind == ConstraintKind::directions && !options.led_are_held &&
-          discretization.find_part(constraint.body) != nullptr &&
-          !constraint.displacement.isZero(0.))
+          space.find_part(constraint.body) != nullptr && !constraint.displacement.isZero(0.))
         throw InputError("constraint \"" + constraint.name +
                          "\": vibrations and contact by conventional finite elements "
                          "hold directions, they do not prescribe displacements");
   }
 
-  std::vector<Unknowns::LocalAxes> Unknowns::make_axes(const Discretization &discretization,
-                                                       const Options        &options) const
+  std::vector<Unknowns::LocalAxes> Unknowns::make_axes(const FemSpace &space,
+                                                       const Options  &options) const
   {
-    const Model                 &model    = discretization.model();
-    const unsigned int           n_points = discretization.n_points();
+    const Model                 &model    = space.model();
+    const unsigned int           n_points = space.n_points();
     std::vector<LocalAxes>       axes(n_points);
     std::set<const Constraint *> met; // that let points turn
-    refuse_led_directions(discretization, options);
-    for (const auto &[p, constraints] : find_point_constraints(discretization))
+    refuse_led_directions(space, options);
+    for (const auto &[p, constraints] : find_point_constraints(space))
       {
         LocalAxes &local                = axes[p];
         local                           = LocalAxes(constraints);
@@ -104,7 +101,7 @@ namespace vfife
         // first point of a hub whose points turn freely, or the one angle of a rigid hub. That
         // angle is the same in all sectors, so waves (h > 0) have none.
         const Axis   &axis    = model.bodies[turning->body].axis;
-        const Vector3 tangent = axis.direction.cross(discretization.points()[p] - axis.point);
+        const Vector3 tangent = axis.direction.cross(space.points()[p] - axis.point);
         const bool    hub     = turning->kind == ConstraintKind::rigid_hub;
         const bool    first   = met.insert(turning).second;
         const bool    turns   = options.rotation == HubRotation::free ||
@@ -118,11 +115,11 @@ namespace vfife
             local.columns.col(2) = tangent;
           }
       }
-    for (const auto &[image, original] : discretization.images())
+    for (const auto &[image, original] : space.images())
       if (options.open)
         {
           axes[image]         = axes[original];
-          axes[image].columns = sector_turn(discretization) * axes[original].columns;
+          axes[image].columns = sector_turn(space) * axes[original].columns;
         }
       else
         axes[image].is_image = true;
@@ -133,19 +130,19 @@ namespace vfife
     return all;
   }
 
-  void Unknowns::number(const Discretization   &discretization,
+  void Unknowns::number(const FemSpace         &space,
                         const bool              padded,
                         const unsigned int      n_ranks,
                         std::vector<LocalAxes> &axes)
   {
     // A point belongs to the rank of its first element; elements are dealt out in equal runs.
-    const unsigned int        n_points   = discretization.n_points();
-    const unsigned int        n_elements = discretization.n_elements();
+    const unsigned int        n_points   = space.n_points();
+    const unsigned int        n_elements = space.n_elements();
     std::vector<unsigned int> rank(n_points, none);
     for (unsigned int e = 0; e < n_elements; ++e)
-      for (unsigned int a = 0; a < discretization.points_per_element(); ++a)
+      for (unsigned int a = 0; a < space.points_per_element(); ++a)
         {
-          unsigned int &r = rank[discretization.element_points(e)[a]];
+          unsigned int &r = rank[space.element_points(e)[a]];
           if (r == none)
             r = static_cast<unsigned long long>(e) * n_ranks / n_elements;
         }
@@ -182,18 +179,18 @@ namespace vfife
     first_.push_back(padding_.size());
   }
 
-  void Unknowns::fill_terms(const Discretization         &discretization,
+  void Unknowns::fill_terms(const FemSpace               &space,
                             const Options                &options,
                             const std::vector<LocalAxes> &axes)
   {
-    const unsigned int n_points = discretization.n_points();
+    const unsigned int n_points = space.n_points();
     // By copy: which point it is the image of.
     std::map<unsigned int, unsigned int> original;
     if (!options.open)
-      original.insert(discretization.images().begin(), discretization.images().end());
+      original.insert(space.images().begin(), space.images().end());
 
-    const Matrix3 turn  = original.empty() ? Matrix3::Identity() : sector_turn(discretization);
-    const double  phase = options.harmonic * discretization.sector_angle();
+    const Matrix3 turn  = original.empty() ? Matrix3::Identity() : sector_turn(space);
+    const double  phase = options.harmonic * space.sector_angle();
 
     const auto add = [&](const LocalAxes &local, const Matrix3 &factor, const unsigned int c) {
       for (unsigned int k = 0; k < 3; ++k)
@@ -249,11 +246,11 @@ namespace vfife
   }
 
   std::vector<double>
-  compute_prescribed_displacements(const Discretization                            &discretization,
+  compute_prescribed_displacements(const FemSpace                                  &space,
                                    const std::function<double(const Constraint &)> &factor)
   {
-    std::vector<double> u(3 * static_cast<std::size_t>(discretization.n_points()), 0.);
-    for (const auto &[p, constraints] : find_point_constraints(discretization))
+    std::vector<double> u(3 * static_cast<std::size_t>(space.n_points()), 0.);
+    for (const auto &[p, constraints] : find_point_constraints(space))
       Eigen::Map<Vector3>(u.data() + 3 * std::size_t(p)) = constraints.compute_displacement(factor);
     return u;
   }

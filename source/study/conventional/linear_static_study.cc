@@ -34,16 +34,16 @@ namespace vfife
   namespace
   {
     /** Stresses of the model's nodes, as displacements, in the fixed frame at time zero. Bodies
-     * that are not part of the discretization show zeros. */
+     * that are not part of the space show zeros. */
     ProbeValue find_probe_value(const Probe               &probe,
-                                const Discretization      &discretization,
+                                const FemSpace            &space,
                                 const StaticResult        &result,
                                 const std::vector<Stress> &stresses)
     {
-      const Discretization::Part *const part = discretization.find_part(probe.body);
+      const FemSpace::Part *const part = space.find_part(probe.body);
       if (part == nullptr)
         return {};
-      const Body       &body   = discretization.model().bodies[probe.body];
+      const Body       &body   = space.model().bodies[probe.body];
       const Matrix3     frame  = body.placement.rotation;
       const std::size_t row    = 3 * std::size_t(part->first_point + probe.node);
       const Vector3     moved  = Eigen::Map<const Vector3>(result.displacements.data() + row);
@@ -61,7 +61,7 @@ namespace vfife
 
     /** @p part 's displacements [mm], 3 a node: points of a body are in the order of its nodes. */
     std::vector<double>
-    displacements_of(const Discretization::Part &part, const Body &body, const StaticResult &result)
+    displacements_of(const FemSpace::Part &part, const Body &body, const StaticResult &result)
     {
       const auto first = result.displacements.begin() + 3 * std::size_t(part.first_point);
       return {first, first + 3 * std::size_t(body.n_nodes())};
@@ -69,14 +69,14 @@ namespace vfife
 
     /** One file a body: displacements, stresses in its cylindrical axes, von Mises. */
     void write_fields(const OutputFolder        &folder,
-                      const Discretization      &discretization,
+                      const FemSpace            &space,
                       const StaticResult        &result,
                       const std::vector<Stress> &stresses)
     {
       folder.make_subfolder("fields");
-      for (const Discretization::Part &part : discretization.parts())
+      for (const FemSpace::Part &part : space.parts())
         {
-          const Body           &body   = discretization.model().bodies[part.body];
+          const Body           &body   = space.model().bodies[part.body];
           std::vector<VtuArray> fields = make_stress_arrays();
           for (unsigned int i = 0; i < body.n_nodes(); ++i)
             {
@@ -98,14 +98,13 @@ namespace vfife
     }
 
     /** A row a support of the bodies looked at: what it exerts on its nodes. */
-    Table list_reactions(const Discretization        &discretization,
-                         const std::vector<Reaction> &reactions)
+    Table list_reactions(const FemSpace &space, const std::vector<Reaction> &reactions)
     {
       Table                      table    = make_reaction_table();
-      const Model               &model    = discretization.model();
+      const Model               &model    = space.model();
       const std::vector<Support> supports = list_supports(model);
       for (std::size_t s = 0; s < supports.size(); ++s)
-        if (discretization.find_part(supports[s].body) != nullptr)
+        if (space.find_part(supports[s].body) != nullptr)
           {
             // The moment about the origin, moved to a point of the axis.
             const Body    &body  = model.bodies[supports[s].body];
@@ -172,7 +171,7 @@ namespace vfife
       void  refuse_what_is_not_linear(const Model &model) const;
       void  write_probes(const OutputFolder        &folder,
                          const Model               &model,
-                         const Discretization      &discretization,
+                         const FemSpace            &space,
                          const StaticResult        &result,
                          const std::vector<Stress> &stresses) const;
 
@@ -252,7 +251,7 @@ namespace vfife
 
   void LinearStaticStudy::write_probes(const OutputFolder        &folder,
                                        const Model               &model,
-                                       const Discretization      &discretization,
+                                       const FemSpace            &space,
                                        const StaticResult        &result,
                                        const std::vector<Stress> &stresses) const
   {
@@ -260,9 +259,9 @@ namespace vfife
     State state;
     state.time = options_.at_time ? options_.time : 1.; // as in `static`, the part of the loads
     state.measured.energy.strain = result.strain_energy;
-    state.measured.reactions     = compute_reactions(discretization, result);
+    state.measured.reactions     = compute_reactions(space, result);
     for (const Probe &probe : model.probes)
-      state.measured.probes.push_back(find_probe_value(probe, discretization, result, stresses));
+      state.measured.probes.push_back(find_probe_value(probe, space, result, stresses));
     Observers observers;
     if (!model.transmission)
       observers.push_back(std::make_unique<HistoryWriter>(folder, model, 1));
@@ -322,20 +321,19 @@ namespace vfife
              " MPa, strain energy ",
              result.strain_energy,
              " mJ; ",
-             3 * solver.discretization().n_points(),
+             3 * solver.space().n_points(),
              " displacements, ",
              result.n_iterations,
              " iterations, ",
              summary.run_time,
              " s");
 
-    write_probes(folder, model, solver.discretization(), result, stresses);
+    write_probes(folder, model, solver.space(), result, stresses);
     if (output_.fields_every > 0)
-      write_fields(folder, solver.discretization(), result, stresses);
+      write_fields(folder, solver.space(), result, stresses);
     write_csv(folder,
               "reactions.csv",
-              list_reactions(solver.discretization(),
-                             compute_reactions(solver.discretization(), result)));
+              list_reactions(solver.space(), compute_reactions(solver.space(), result)));
     write_summary(folder, summary, log);
     if (output_.pictures)
       draw_pictures(folder, log);

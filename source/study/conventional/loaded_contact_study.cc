@@ -83,17 +83,17 @@ namespace vfife
 
       /** All but pressures. */
       void add(const double                 position,
-               const Discretization        &discretization,
+               const FemSpace              &space,
                const PairEquilibrium       &equilibrium,
                const PairEquilibriumResult &result,
                const std::vector<Stress>   &stresses)
       {
         probes.add_position(position, stresses);
-        supports.add_position(discretization, position, result);
+        supports.add_position(space, position, result);
         pattern.add_position(result);
         parts.look([&](const unsigned int node) { return von_mises(stresses[node]); });
-        fields.add_position(position, discretization, equilibrium, result, stresses);
-        fillets.add_position(discretization, position, result);
+        fields.add_position(position, space, equilibrium, result, stresses);
+        fillets.add_position(space, position, result);
       }
     };
 
@@ -214,9 +214,8 @@ namespace vfife
       Table                positions_, teeth_;
     };
 
-    PairErrors find_errors(const Model                 &model,
-                           const Discretization        &discretization,
-                           const PairEquilibriumResult &result)
+    PairErrors
+    find_errors(const Model &model, const FemSpace &space, const PairEquilibriumResult &result)
     {
       // Leads of the driven member in the drive direction: where flanks touch without load, and
       // under the torque. The secant leads from one to the other, the tangent is the slope under
@@ -224,7 +223,7 @@ namespace vfife
       // counted from the kinematic turn, so of both angles only those at time zero remain.
       const Transmission &t    = *model.transmission;
       const auto          lead = [&](const double turn, const std::vector<double> &u) {
-        return lead_of_driven(discretization, turn, u);
+        return lead_of_driven(space, turn, u);
       };
       const double offset = t.driven_start - t.ratio() * t.driver_start;
       return {offset + lead(result.touch_turn, result.touch_displacements),
@@ -310,8 +309,8 @@ namespace vfife
         const unsigned int          before = compliance.n_prepared();
         const PairEquilibriumResult result = equilibrium.solve(turn, 1.);
         const std::vector<Stress>   stresses =
-          compute_node_stresses(compliance.discretization(), result.displacements);
-        PairErrors errors = find_errors(model, compliance.discretization(), result);
+          compute_node_stresses(compliance.space(), result.displacements);
+        PairErrors errors = find_errors(model, compliance.space(), result);
         if (pressure)
           {
             // Where the penalty is open, the grid shares the load.
@@ -320,7 +319,7 @@ namespace vfife
             errors.loaded += gear_case_.leaves_penalty_open() ? change : 0.;
           }
         add_position(model, errors, turn / pitch, result, stresses, log);
-        recorders.add(turn / pitch, compliance.discretization(), equilibrium, result, stresses);
+        recorders.add(turn / pitch, compliance.space(), equilibrium, result, stresses);
         log.line("  ",
                  result.iterations,
                  " iterations, residual ",

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/communicator.h>
 #include <vfife/fem/pair/pair_equilibrium.h>
-#include <vfife/fem/system/discretization.h>
+#include <vfife/fem/system/fem_space.h>
 #include <vfife/model/body_frame.h>
 #include <vfife/model/model.h>
 #include <vfife/output/files/output_folder.h>
@@ -40,7 +40,7 @@ namespace vfife
   }
 
   void LoadedFields::add_position(const double                 position,
-                                  const Discretization        &discretization,
+                                  const FemSpace              &space,
                                   const PairEquilibrium       &equilibrium,
                                   const PairEquilibriumResult &result,
                                   const std::vector<Stress>   &stresses)
@@ -52,7 +52,7 @@ namespace vfife
     state_.time = position;
     ++state_.step;
     std::vector<std::array<double, 6>> cylindrical(model_.n_nodes());
-    for (const Discretization::Part &part : discretization.parts())
+    for (const FemSpace::Part &part : space.parts())
       {
         const Body &body              = model_.bodies[part.body];
         state_.body_motion[part.body] = {equilibrium.rotation(part.body) * body.placement.rotation,
@@ -70,7 +70,7 @@ namespace vfife
             const std::size_t point = part.first_point + node;
             state_.position.set(local,
                                 equilibrium.place(part.body,
-                                                  discretization.points()[point] +
+                                                  space.points()[point] +
                                                     Eigen::Map<const Vector3>(
                                                       &result.displacements[3 * point])));
           }

@@ -36,14 +36,14 @@ namespace vfife
   {
   }
 
-  void LoadedFillets::add_position(const Discretization        &discretization,
+  void LoadedFillets::add_position(const FemSpace              &space,
                                    const double                 position,
                                    const PairEquilibriumResult &result)
   {
     // Bodies stay in the axes of time zero; turned teeth are their copies.
     const auto strains =
       strains_of_displacements(model_, [&](const unsigned int body, const unsigned int node) {
-        const std::size_t point = discretization.find_part(body)->first_point + node;
+        const std::size_t point = space.find_part(body)->first_point + node;
         return Vector3(model_.bodies[body].placement.rotation.transpose() *
                        Eigen::Map<const Vector3>(result.displacements.data() + 3 * point));
       });

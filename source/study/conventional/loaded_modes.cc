@@ -28,7 +28,7 @@ namespace vfife
                                                   what.n_modes,
                                                   folder.communicator());
     if (what.spins)
-      for (const Discretization::Part &part : compliance.discretization().parts())
+      for (const FemSpace::Part &part : compliance.space().parts())
         if (model.bodies[part.body].rate != 0)
           warn_of_averaged_bearings(model, part.body, log);
     log.line("coupled modes: ",
@@ -54,9 +54,9 @@ namespace vfife
     folder.make_subfolder("modes");
     // Shapes as they stand in space, where the pair turns. Points of a body are in the order of its
     // nodes.
-    const auto           &list = modes.standing.empty() ? modes.turning : modes.standing;
-    const Discretization &d    = compliance.discretization();
-    for (const Discretization::Part &part : d.parts())
+    const auto     &list = modes.standing.empty() ? modes.turning : modes.standing;
+    const FemSpace &d    = compliance.space();
+    for (const FemSpace::Part &part : d.parts())
       {
         const Body             &body = model.bodies[part.body];
         std::vector<NamedShape> shapes;

@@ -18,7 +18,7 @@ namespace vfife
   {
   }
 
-  void LoadedSupports::add_position(const Discretization        &discretization,
+  void LoadedSupports::add_position(const FemSpace              &space,
                                     const double                 position,
                                     const PairEquilibriumResult &result)
   {
@@ -41,7 +41,7 @@ namespace vfife
                                               : t.driver_sense * result.driver_turn;
         const Axis        &axis  = model_.bodies[b].axis;
         const Matrix3      R     = rotation_about(axis.direction, turn);
-        const unsigned int first = discretization.find_part(b)->first_point;
+        const unsigned int first = space.find_part(b)->first_point;
         return ring.measure([&](const std::size_t i) {
           return Vector3(axis.point + R * (ring.places()[i] +
                                            Eigen::Map<const Vector3>(

@@ -24,7 +24,7 @@ namespace vfife
 
     double error_of(const Compliance &compliance, const PairEquilibriumResult &result)
     {
-      return lead_of_driven(compliance.discretization(), result.turn, result.displacements);
+      return lead_of_driven(compliance.space(), result.turn, result.displacements);
     }
 
     /** @p errors: of the contact's own grid [rad]. */

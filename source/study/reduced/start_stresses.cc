@@ -32,7 +32,7 @@ namespace vfife
             &own.emplace(model, make_fem_options(dynamics), model.any_body_turns(), communicator);
         PairEquilibrium           equilibrium(model, *compliance, {0.});
         const std::vector<double> u        = equilibrium.solve(0., 1.).displacements;
-        const std::vector<Stress> stresses = compute_node_stresses(compliance->discretization(), u);
+        const std::vector<Stress> stresses = compute_node_stresses(compliance->space(), u);
         parts.look([&](const unsigned int node) { return von_mises(stresses[node]); });
       }
     catch (const NumericalError &error)

@@ -78,9 +78,9 @@ namespace vfife
              " MB");
   }
 
-  std::size_t PairStart::point_of(const State                &state,
-                                  const Discretization::Part &part,
-                                  const std::uint32_t         local) const
+  std::size_t PairStart::point_of(const State          &state,
+                                  const FemSpace::Part &part,
+                                  const std::uint32_t   local) const
   {
     // Points of a body are in the order of its nodes, whatever rank and place the operator gives
     // them.
@@ -98,8 +98,8 @@ namespace vfife
   {
     // Each rank fills in the nodes that it owns and leaves zeros elsewhere: after the sum all ranks
     // have all points. Collective.
-    std::vector<double> all(3 * std::size_t(compliance_->discretization().n_points()), 0.);
-    for (const Discretization::Part &part : compliance_->discretization().parts())
+    std::vector<double> all(3 * std::size_t(compliance_->space().n_points()), 0.);
+    for (const FemSpace::Part &part : compliance_->space().parts())
       for (const std::uint32_t i : state.partition->owned_nodes(part.body))
         Eigen::Map<Vector3>(all.data() + 3 * point_of(state, part, i)) = vector(part.body, i);
     communicator_.sum(all);
@@ -113,7 +113,7 @@ namespace vfife
       const Vector3 &c = model_.bodies[body].axis.point;
       return Vector3(c + rotation(body).transpose() * (state.node_position(i) - c));
     });
-    const std::vector<Vector3> &points = compliance_->discretization().points();
+    const std::vector<Vector3> &points = compliance_->space().points();
     for (std::size_t p = 0; p < points.size(); ++p)
       Eigen::Map<Vector3>(u.data() + 3 * p) -= points[p];
     return u;
@@ -139,8 +139,8 @@ namespace vfife
 
   void PairStart::place(const std::vector<double> &u, State &state) const
   {
-    const std::vector<Vector3> &points = compliance_->discretization().points();
-    for (const Discretization::Part &part : compliance_->discretization().parts())
+    const std::vector<Vector3> &points = compliance_->space().points();
+    for (const FemSpace::Part &part : compliance_->space().parts())
       {
         const Vector3 &c = model_.bodies[part.body].axis.point;
         const Matrix3  R = rotation(part.body);

@@ -51,12 +51,11 @@ namespace
     const CoupledModes modes =
       find_coupled_modes(compliance, fem, false, at_rest.ties, {}, 3, world);
 
-    const Transmission &t         = *model.transmission;
-    const double        turn      = at_rest.turn_slope + mean_rotation(compliance.discretization(),
-                                                           t.driven,
-                                                           t.driven_bore,
-                                                           at_rest.displacement_slope);
-    const double        stiffness = 8e5 / std::abs(turn);
+    const Transmission &t = *model.transmission;
+    const double        turn =
+      at_rest.turn_slope +
+      mean_rotation(compliance.space(), t.driven, t.driven_bore, at_rest.displacement_slope);
+    const double stiffness = 8e5 / std::abs(turn);
     // Directions of the springs are those of the loaded place there and here; arms are not.
     check_close("tangent stiffness of the equilibrium", modes.stiffness / stiffness, 1., 1e-3);
     const double frequency =

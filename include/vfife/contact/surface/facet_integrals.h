@@ -5,7 +5,6 @@
 #include <vfife/base/types.h>
 
 #include <array>
-#include <vector>
 
 namespace vfife
 {
@@ -16,15 +15,12 @@ namespace vfife
    */
   std::array<Vector3, 4> integrate_normals(const std::array<Vector3, 4> &corners);
 
-  /** The same for the @p n^2 functions of degree n - 1 (n = 2, 3), those along the side from corner
-   * 0 to 1 fastest, on the bilinear face. */
-  std::vector<Vector3> integrate_normals(const std::array<Vector3, 4> &corners, unsigned int n);
-
   /** The shorter one of the mean lengths of opposite sides [mm]. */
   double facet_width(const std::array<Vector3, 4> &corners);
 
-  /** The integrals of these functions over the face [mm^2]; exact for plane faces. */
-  std::vector<double> integrate_areas(const std::array<Vector3, 4> &corners, unsigned int n = 2);
+  /** The integrals of the shape functions over the face [mm^2], those along the side from corner 0
+   * to 1 fastest; exact for plane faces. */
+  std::array<double, 4> integrate_areas(const std::array<Vector3, 4> &corners);
 } // namespace vfife
 
 #endif

@@ -42,10 +42,10 @@ namespace vfife
      */
     CyclicBody(const Model &model, unsigned int body, const FemOptions &options, double rate);
 
-    const Body           &body() const;
-    const Discretization &sector() const
+    const Body     &body() const;
+    const FemSpace &sector() const
     {
-      return rotating_.discretization();
+      return rotating_.space();
     }
     const FemOptions &options() const
     {

@@ -3,6 +3,7 @@
 #define vfife_fem_cyclic_cyclic_statics_h
 
 #include <vfife/fem/cyclic/cyclic_body.h>
+#include <vfife/fem/cyclic/sector_copies.h>
 #include <vfife/fem/solvers/condensation.h>
 #include <vfife/fem/solvers/hermitian_factor.h>
 
@@ -26,23 +27,25 @@ namespace vfife
   public:
     /** Throws as CyclicBody, and InputError for bodies with more than one hub that turns or with
      * one that something else holds; NumericalError where the body is not stable at @p rate. */
-    CyclicStatics(const Model        &model,
-                  unsigned int        body,
-                  const FemOptions   &options,
-                  double              rate,
-                  const Communicator &communicator);
+    CyclicStatics(const FemSpace       &whole,
+                  const FemSpace::Part &part,
+                  const FemOptions     &options,
+                  double                rate,
+                  const Communicator   &communicator);
 
-    /** Displacements of all nodes of the body in the state of spin (3 a node, fixed frame) [mm]. */
+    /** Displacements of all points of the body in the state of spin (3 a point, fixed frame)
+     * [mm]. */
     std::vector<double> spun() const;
 
-    /** Displacements of all nodes under forces at all of them (3 a node, fixed frame) [mm]. */
+    /** Displacements of all points under forces at all of them (3 a point, fixed frame) [mm]. */
     std::vector<double> solve(const std::vector<double> &forces) const;
 
-    /** Nodes of the body between which column() tells displacements. */
-    void watch(std::vector<unsigned int> nodes);
+    /** Points of the body, numbered from its first one, between which column() tells
+     * displacements. */
+    void watch(std::vector<unsigned int> points);
 
-    /** Displacements of the watched nodes (3 each) under a unit force along the axis @p component
-     * of the fixed frame at the node number @p watched of them [mm/N]. */
+    /** Displacements of the watched points (3 each) under a unit force along the axis @p component
+     * of the fixed frame at the point number @p watched of them [mm/N]. */
     Eigen::VectorXd column(std::size_t watched, unsigned int component) const;
 
     /** Of the whole body. */
@@ -57,7 +60,9 @@ namespace vfife
       unsigned int    number;
       HermitianFactor factor;
     };
-    void                      find_hub(const Model &model, unsigned int body);
+    void find_hub(const Model &model, unsigned int body);
+    /** Puts the displacements of the sector's points @p u into those of sector @p k. */
+    void add_sector(unsigned int k, const std::vector<double> &u, std::vector<double> &all) const;
     std::vector<unsigned int> find_border() const;
     void                      factorize();
     Eigen::MatrixXcd          harmonic_matrix(unsigned int number) const;
@@ -77,6 +82,7 @@ namespace vfife
     Eigen::MatrixXd     solve_sectors(Eigen::MatrixXd x) const;
 
     CyclicBody                    body_;
+    SectorCopies                  copies_;
     const Communicator           &communicator_;
     HubRotation                   hub_ = HubRotation::pinned; ///< of the sector's unknowns
     std::unique_ptr<Assembly>     sector_; ///< open: its images are points of their own
@@ -86,12 +92,12 @@ namespace vfife
 
     // Of a hub whose points turn by themselves:
     bool            pinned_         = false;
-    unsigned int    pin_            = 0;                       ///< node
+    unsigned int    pin_            = 0;                       ///< point
     double          turn_stiffness_ = 0;                       ///< added to h = 0
-    Eigen::MatrixXd pin_fields_;                               ///< of all nodes, two columns
+    Eigen::MatrixXd pin_fields_;                               ///< of all points, two columns
     Eigen::Matrix2d pin_compliance_ = Eigen::Matrix2d::Zero(); ///< that the pin takes away
 
-    std::vector<unsigned int>               watched_;     ///< nodes
+    std::vector<unsigned int>               watched_;     ///< points
     std::vector<unsigned int>               locals_;      ///< their copies in sector 0
     std::map<unsigned int, Eigen::MatrixXd> flexibility_; ///< by the sectors from force to answer
   };

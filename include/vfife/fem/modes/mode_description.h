@@ -3,7 +3,7 @@
 #define vfife_fem_modes_mode_description_h
 
 #include <vfife/fem/modes/cyclic_copies.h>
-#include <vfife/fem/system/discretization.h>
+#include <vfife/fem/system/fem_space.h>
 
 #include <complex>
 #include <vector>
@@ -29,11 +29,11 @@ namespace vfife
     bool is_pair = false;
   };
 
-  /** Describes modes of one body that is as a whole part of a discretization. */
+  /** Describes modes of one body that is as a whole part of a space. */
   class ModeDescriber
   {
   public:
-    ModeDescriber(const Discretization &discretization, const Discretization::Part &part);
+    ModeDescriber(const FemSpace &space, const FemSpace::Part &part);
 
     ModeDescription describe(const std::vector<double> &shape) const;
 
@@ -49,12 +49,12 @@ namespace vfife
     Amplitudes harmonic(const Amplitudes &values, int h) const;
     int        count_circles(const Amplitudes &amplitudes, unsigned int component) const;
 
-    const Discretization &discretization_;
-    unsigned int          first_point_;
-    const Body           &body_;
-    CyclicCopies          copies_;
-    std::vector<Matrix3>  axes_;  ///< r, theta, z of each node (columns)
-    std::vector<double>   radii_; ///< of the nodes of the first sector [mm]
+    const FemSpace      &space_;
+    unsigned int         first_point_;
+    const Body          &body_;
+    CyclicCopies         copies_;
+    std::vector<Matrix3> axes_;  ///< r, theta, z of each node (columns)
+    std::vector<double>  radii_; ///< of the nodes of the first sector [mm]
   };
 } // namespace vfife
 

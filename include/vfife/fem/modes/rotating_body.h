@@ -76,12 +76,12 @@ namespace vfife
     /** Displacements of all points in steady spin (of the sector, where one is computed). */
     std::vector<double> find_equilibrium(double rate) const;
 
-    const Discretization &discretization() const
+    const FemSpace &space() const
     {
-      return discretization_;
+      return space_;
     }
     /** All sectors, where one is computed too. */
-    const Discretization &whole() const
+    const FemSpace &whole() const
     {
       return whole_;
     }
@@ -114,8 +114,8 @@ namespace vfife
     unsigned int        body_;
     FemOptions          options_;
     const Communicator &communicator_;
-    Discretization      discretization_;
-    Discretization      whole_; ///< of eight-node elements, for describing modes
+    FemSpace            space_;
+    FemSpace            whole_; ///< of eight-node elements, for describing modes
     ModeDescriber       describer_;
   };
 } // namespace vfife

@@ -35,7 +35,7 @@ namespace vfife
 
   /**
    * Small vibrations of the assembled pair about a loaded position: both bodies of the compliance's
-   * discretization in their state of spin, joined by the springs of the contact; the driver's hub
+   * space in their state of spin, joined by the springs of the contact; the driver's hub
    * turns as prescribed or is held by its coupling, the driven hub turns freely; bearings have
    * the tangent @p bearings (PairEquilibriumResult::bearing_tangent; doc/theory/fem.md, Coupled
    * modes). The @p n lowest; always by shift-invert. Throws NumericalError where the eigenvalue

@@ -123,7 +123,7 @@ namespace vfife
 
   /** Mass-weighted mean rotation of nodes of a body about its axis under a field of small
    * displacements of all points, + about the axis [rad]. */
-  double mean_rotation(const Discretization            &discretization,
+  double mean_rotation(const FemSpace                  &space,
                        unsigned int                     body,
                        const std::vector<unsigned int> &nodes,
                        const std::vector<double>       &displacements);
@@ -134,9 +134,8 @@ namespace vfife
    * body beyond its kinematic turn, about its axis; @p displacements of all points on top of the
    * turns.
    */
-  double lead_of_driven(const Discretization      &discretization,
-                        double                     turn,
-                        const std::vector<double> &displacements);
+  double
+  lead_of_driven(const FemSpace &space, double turn, const std::vector<double> &displacements);
 } // namespace vfife
 
 #endif

@@ -18,7 +18,7 @@ namespace vfife
 {
   struct Model;
 
-  /** A contact point under pressure, for small motions u of points of the discretization: the
+  /** A contact point under pressure, for small motions u of points of the space: the
    * energy stiffness/2 (sum of direction . u)^2. */
   struct ContactTie
   {

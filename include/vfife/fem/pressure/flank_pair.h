@@ -26,9 +26,9 @@ namespace vfife
   class FlankPair
   {
   public:
-    /** @p depth: of the layers near the flanks, at least [mm]. The discretization must outlive the
+    /** @p depth: of the layers near the flanks, at least [mm]. The space must outlive the
      * object. */
-    FlankPair(const Discretization &discretization, double depth);
+    FlankPair(const FemSpace &space, double depth);
     FlankPair(const FlankPair &)            = delete;
     FlankPair &operator=(const FlankPair &) = delete;
 
@@ -74,7 +74,7 @@ namespace vfife
     copy_of(unsigned int side, unsigned int node, unsigned int group, unsigned int copied) const;
 
     /** A tooth's flank, whose flexibility is that of the tooth @p copied, turned: @p places has the
-     * place of that one's points by points of the discretization. Throws InputError for bodies with
+     * place of that one's points by points of the space. Throws InputError for bodies with
      * one element across a tooth. */
     ElasticFlank make_flank(unsigned int                     side,
                             unsigned int                     group,
@@ -84,7 +84,7 @@ namespace vfife
     /** What lies near a tooth's flank. Throws as make_flank(). */
     const NearLayer &near_layer(unsigned int side, unsigned int group);
 
-    /** Of the discretization, at a node of the surface. */
+    /** Of the space, at a node of the surface. */
     unsigned int point_of(unsigned int side, unsigned int node) const;
 
     /** What has been found on the grid of two teeth, with the places of its cells. */
@@ -95,7 +95,7 @@ namespace vfife
     /** Middles of cells in the body frame of a side's body, at rest [mm]. */
     std::vector<Vector3> places_of(unsigned int side, const std::vector<ContactCell> &cells) const;
 
-    const Discretization                                      &discretization_;
+    const FemSpace                                            &space_;
     const ContactPair                                         &definition_;
     double                                                     depth_;
     std::array<unsigned int, 2>                                bodies_;

@@ -61,7 +61,7 @@ namespace vfife
                                    double                             normal_force);
 
     unsigned int                       cells_across_;
-    Discretization                     discretization_;
+    FemSpace                           space_;
     FlankPair                          flanks_;
     double                             depth_limit_; ///< deepest penetration taken for contact [mm]
     std::vector<unsigned int>          places_;      ///< of points of tooth 0 among the rows

@@ -2,7 +2,7 @@
 #ifndef vfife_fem_pressure_layer_elements_h
 #define vfife_fem_pressure_layer_elements_h
 
-#include <vfife/fem/system/fem_element.h>
+#include <vfife/fem/system/element_integrals.h>
 
 #include <array>
 #include <vector>
@@ -16,7 +16,7 @@ namespace vfife
   {
     std::vector<Vector3>                   points;   ///< [mm]
     std::vector<char>                      held;     ///< of the points
-    std::vector<std::vector<unsigned int>> elements; ///< 8 or 27 points, lexicographic
+    std::vector<std::vector<unsigned int>> elements; ///< points, lexicographic
 
     /**
      * Continues the elements by @p length [mm] beyond @p edges of the surface @p patch, two points

@@ -3,7 +3,7 @@
 #define vfife_fem_pressure_near_layer_h
 
 #include <vfife/fem/pressure/layer_elements.h>
-#include <vfife/fem/system/discretization.h>
+#include <vfife/fem/system/fem_space.h>
 
 #include <vector>
 
@@ -30,7 +30,7 @@ namespace vfife
    * patch's facets that lie on edges of the body, by their points.
    * Throws InputError where one layer comes to those, or is not held.
    */
-  NearLayer find_near_layer(const Discretization            &discretization,
+  NearLayer find_near_layer(const FemSpace                  &space,
                             std::vector<unsigned int>        patch,
                             const std::vector<unsigned int> &others,
                             double                           depth,

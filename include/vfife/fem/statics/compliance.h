@@ -41,9 +41,9 @@ namespace vfife
                const Communicator &communicator,
                Factorized          factorized = Factorized::sectors);
 
-    const Discretization &discretization() const
+    const FemSpace &space() const
     {
-      return discretization_;
+      return space_;
     }
     /** Whether one sector of each body is factorized. */
     bool by_sectors() const
@@ -140,7 +140,7 @@ namespace vfife
 
     const Model                  &model_;
     const Communicator           &communicator_;
-    Discretization                discretization_;
+    FemSpace                      space_;
     BearingRings                  rings_; ///< seats by themselves
     std::unique_ptr<Assembly>     assembly_;
     std::unique_ptr<DirectSolver> solver_;

@@ -10,9 +10,8 @@
 namespace vfife
 {
   /** What the supports of the model (list_supports()) exert in a static solution, on the bodies at
-   * their undeformed places; zero on bodies that are not part of the discretization. */
-  std::vector<Reaction> compute_reactions(const Discretization &discretization,
-                                          const StaticResult   &result);
+   * their undeformed places; zero on bodies that are not part of the space. */
+  std::vector<Reaction> compute_reactions(const FemSpace &space, const StaticResult &result);
 } // namespace vfife
 
 #endif

@@ -32,7 +32,7 @@ namespace vfife
 
   struct StaticResult
   {
-    /** Of all points of the discretization, 3 a point, fixed frame [mm]; equal on all ranks. */
+    /** Of all points of the space, 3 a point, fixed frame [mm]; equal on all ranks. */
     std::vector<double> displacements;
     /** What constraints exert on all points, 3 a point [N]: zero but for the solver's tolerance
      * where nothing is held. */
@@ -60,9 +60,9 @@ namespace vfife
                  const Communicator              &communicator,
                  HubRotation                      rotation = HubRotation::free);
 
-    const Discretization &discretization() const
+    const FemSpace &space() const
     {
-      return discretization_;
+      return space_;
     }
 
     /** Collective; throws NumericalError where the solver fails or the state of spin is not
@@ -88,7 +88,7 @@ namespace vfife
     const Model              &model_;
     FemOptions                options_;
     const Communicator       &communicator_;
-    Discretization            discretization_;
+    FemSpace                  space_;
     HubRotation               rotation_;
     std::vector<unsigned int> pinned_; ///< shafts that turn freely in their bearings
   };
@@ -96,10 +96,10 @@ namespace vfife
   /**
    * Stresses at the model's nodes (xx yy zz xy yz zx, fixed frame [MPa]) under displacements of all
    * points (3 a point), averages of the values of the elements that meet there; zero on bodies that
-   * are not part of the discretization. Points of the elements are extrapolated to the nodes by the
+   * are not part of the space. Points of the elements are extrapolated to the nodes by the
    * functions through them.
    */
-  std::vector<Stress> compute_node_stresses(const Discretization      &discretization,
+  std::vector<Stress> compute_node_stresses(const FemSpace            &space,
                                             const std::vector<double> &displacements);
 } // namespace vfife
 

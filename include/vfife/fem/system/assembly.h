@@ -32,7 +32,7 @@ namespace vfife
   /** One vector of the unknowns that this rank owns. */
   using OwnedVector = std::vector<double>;
 
-  /** Sums element matrices and vectors over a discretization, on the unknowns: T^T A T, T^T f. */
+  /** Sums element matrices and vectors over a space, on the unknowns: T^T A T, T^T f. */
   class Assembly
   {
   public:
@@ -42,15 +42,15 @@ namespace vfife
     /** Points that are coupled beside elements, as by a contact. */
     using Links = std::vector<std::vector<unsigned int>>;
 
-    Assembly(const Discretization    &discretization,
+    Assembly(const FemSpace          &space,
              const Unknowns::Options &options,
              const Communicator      &communicator,
              Links                    links   = {},
              HousingLaw               housing = HousingLaw::joins_seats);
 
-    const Discretization &discretization() const
+    const FemSpace &space() const
     {
-      return discretization_;
+      return space_;
     }
     /** Of bearings and couplings, whose points are coupled. */
     const BearingRings &rings() const
@@ -126,7 +126,7 @@ namespace vfife
                     SparseValues          &values) const;
     std::size_t find_entry(unsigned int row, unsigned int column) const;
 
-    const Discretization     &discretization_;
+    const FemSpace           &space_;
     const Communicator       &communicator_;
     Unknowns                  unknowns_;
     unsigned int              first_, last_;

@@ -3,7 +3,7 @@
 #define vfife_fem_system_bearing_rings_h
 
 #include <vfife/bearing/shaft_seat.h>
-#include <vfife/fem/system/discretization.h>
+#include <vfife/fem/system/fem_space.h>
 
 #include <algorithm>
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace vfife
 {
-  /** Motions B u of some points of a discretization, and forces B^T f on them. Of one sector with
+  /** Motions B u of some points of a space, and forces B^T f on them. Of one sector with
    * two copies of its points (Unknowns) points count through both. */
   struct PointMotion
   {
@@ -44,7 +44,7 @@ namespace vfife
   };
 
   /**
-   * Rings of all bearings and couplings of the bodies of a discretization, with their linear(ized)
+   * Rings of all bearings and couplings of the bodies of a space, with their linear(ized)
    * laws: loads preload - K B u, six rows a ring.
    *
    * On one sector of a body a ring has a part in the harmonics 0 (along the axis, about it) and 1
@@ -60,9 +60,9 @@ namespace vfife
     /**
      * @p harmonic: of a sector. Throws InputError where a ring is not alike in all sectors.
      */
-    BearingRings(const Discretization &discretization,
-                 HousingLaw            housing  = HousingLaw::joins_seats,
-                 unsigned int          harmonic = 0);
+    BearingRings(const FemSpace &space,
+                 HousingLaw      housing  = HousingLaw::joins_seats,
+                 unsigned int    harmonic = 0);
 
     const std::vector<BearingRing> &list() const
     {
@@ -107,7 +107,7 @@ namespace vfife
     void        add_couplings();
     void        require_isotropic(const Eigen::MatrixXd &K) const;
 
-    const Discretization    &discretization_;
+    const FemSpace          &space_;
     unsigned int             harmonic_;
     std::vector<BearingRing> rings_;
     std::size_t              n_joined_ = 0; ///< of the first rings, by the housing

@@ -2,7 +2,7 @@
 #ifndef vfife_fem_system_finite_strain_h
 #define vfife_fem_system_finite_strain_h
 
-#include <vfife/fem/system/fem_element.h>
+#include <vfife/fem/system/element_integrals.h>
 
 namespace vfife
 {

@@ -2,7 +2,7 @@
 #ifndef vfife_fem_system_load_forces_h
 #define vfife_fem_system_load_forces_h
 
-#include <vfife/fem/system/discretization.h>
+#include <vfife/fem/system/fem_space.h>
 
 #include <utility>
 #include <vector>
@@ -15,11 +15,11 @@ namespace vfife
    * on the faces at all their points, body forces at the corners. Springs add nothing. Throws
    * InputError for a load that its nodes cannot carry.
    */
-  void add_load_forces(const Load                 &load,
-                       const Discretization       &discretization,
-                       const Discretization::Part &part,
-                       double                      factor,
-                       std::vector<double>        &forces);
+  void add_load_forces(const Load           &load,
+                       const FemSpace       &space,
+                       const FemSpace::Part &part,
+                       double                factor,
+                       std::vector<double>  &forces);
 
   /** Points of a body and what each takes of what acts on all of them. */
   using PointShares = std::vector<std::pair<unsigned int, double>>;
@@ -29,17 +29,17 @@ namespace vfife
   PointShares point_area_shares(const Body                      &body,
                                 const std::vector<unsigned int> &nodes,
                                 const SelectedFaces             &selected,
-                                const Discretization            &discretization,
-                                const Discretization::Part      &part);
+                                const FemSpace                  &space,
+                                const FemSpace::Part            &part);
 
   /** Stiffnesses [N/mm] of a spring to the ground, by point. Throws InputError on one sector of a
    * body. */
-  std::vector<std::pair<unsigned int, Matrix3>> find_springs(const Load           &load,
-                                                             const Discretization &discretization);
+  std::vector<std::pair<unsigned int, Matrix3>> find_springs(const Load     &load,
+                                                             const FemSpace &space);
 
   /** Stiffnesses [N/mm] of the model's springs to the ground, by point. Throws InputError for
    * springs on one sector of a body. */
-  std::vector<std::pair<unsigned int, Matrix3>> find_springs(const Discretization &discretization);
+  std::vector<std::pair<unsigned int, Matrix3>> find_springs(const FemSpace &space);
 } // namespace vfife
 
 #endif

@@ -12,9 +12,8 @@ namespace vfife
   bool has_turning_hub(const Model &model, unsigned int body);
 
   /** Whether a rigid motion of a body (3 numbers a point) is nothing but a turn about its axis. */
-  bool is_turn(const Discretization       &discretization,
-               const Discretization::Part &part,
-               const std::vector<double>  &motion);
+  bool
+  is_turn(const FemSpace &space, const FemSpace::Part &part, const std::vector<double> &motion);
 
   /**
    * K with a torsional spring on the first bearing of each of @p bodies, which turn freely in

@@ -2,7 +2,7 @@
 #ifndef vfife_fem_system_unknowns_h
 #define vfife_fem_system_unknowns_h
 
-#include <vfife/fem/system/discretization.h>
+#include <vfife/fem/system/fem_space.h>
 
 #include <cstdint>
 #include <functional>
@@ -53,7 +53,7 @@ namespace vfife
       bool led_are_held = false;
     };
 
-    Unknowns(const Discretization &discretization, const Options &options, unsigned int n_ranks);
+    Unknowns(const FemSpace &space, const Options &options, unsigned int n_ranks);
 
     unsigned int n() const
     {
@@ -96,16 +96,12 @@ namespace vfife
 
   private:
     struct LocalAxes;
-    static void refuse_led_directions(const Discretization &discretization, const Options &options);
-    std::vector<LocalAxes> make_axes(const Discretization &discretization,
-                                     const Options        &options) const;
-    void                   number(const Discretization   &discretization,
-                                  bool                    padded,
-                                  unsigned int            n_ranks,
-                                  std::vector<LocalAxes> &axes);
-    void                   fill_terms(const Discretization         &discretization,
-                                      const Options                &options,
-                                      const std::vector<LocalAxes> &axes);
+    static void            refuse_led_directions(const FemSpace &space, const Options &options);
+    std::vector<LocalAxes> make_axes(const FemSpace &space, const Options &options) const;
+    void
+    number(const FemSpace &space, bool padded, unsigned int n_ranks, std::vector<LocalAxes> &axes);
+    void
+    fill_terms(const FemSpace &space, const Options &options, const std::vector<LocalAxes> &axes);
 
     unsigned int              n_copies_ = 1;
     std::vector<unsigned int> first_;
@@ -121,20 +117,19 @@ namespace vfife
    * each other.
    */
   std::vector<double>
-  compute_prescribed_displacements(const Discretization                            &discretization,
+  compute_prescribed_displacements(const FemSpace                                  &space,
                                    const std::function<double(const Constraint &)> &factor);
 
   /**
    * Rigid motions of body @p part that the model's constraints leave free, as displacements of all
    * points (one vector a motion, zero on other bodies).
    */
-  std::vector<std::vector<double>> find_free_motions(const Discretization       &discretization,
-                                                     const Discretization::Part &part);
+  std::vector<std::vector<double>> find_free_motions(const FemSpace       &space,
+                                                     const FemSpace::Part &part);
 
   /** The six rigid motions of @p part, three translations and three rotations about @p centre. */
-  std::vector<std::vector<double>> make_rigid_motions(const Discretization       &discretization,
-                                                      const Discretization::Part &part,
-                                                      const Vector3              &centre);
+  std::vector<std::vector<double>>
+  make_rigid_motions(const FemSpace &space, const FemSpace::Part &part, const Vector3 &centre);
 } // namespace vfife
 
 #endif

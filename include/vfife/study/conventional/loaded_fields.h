@@ -10,7 +10,7 @@
 
 namespace vfife
 {
-  class Discretization;
+  class FemSpace;
   class PairEquilibrium;
   struct PairEquilibriumResult;
 
@@ -25,7 +25,7 @@ namespace vfife
     /** After solve() of the equilibrium. @p position in tooth meshes stands for the time; @p
      * stresses by node of the model, axes of time zero. Collective. */
     void add_position(double                       position,
-                      const Discretization        &discretization,
+                      const FemSpace              &space,
                       const PairEquilibrium       &equilibrium,
                       const PairEquilibriumResult &result,
                       const std::vector<Stress>   &stresses);

@@ -7,7 +7,7 @@
 
 namespace vfife
 {
-  class Discretization;
+  class FemSpace;
   class Log;
   class OutputFolder;
   struct PairEquilibriumResult;
@@ -21,9 +21,7 @@ namespace vfife
     LoadedFillets(const Model &model, const FilletOptions &options);
 
     /** At a position [tooth meshes]. */
-    void add_position(const Discretization        &discretization,
-                      double                       position,
-                      const PairEquilibriumResult &result);
+    void add_position(const FemSpace &space, double position, const PairEquilibriumResult &result);
 
     /** Says the largest stresses and writes what there is. */
     void write(const OutputFolder &folder, Log &log) const;

@@ -8,7 +8,7 @@
 
 namespace vfife
 {
-  class Discretization;
+  class FemSpace;
   class OutputFolder;
   struct PairEquilibriumResult;
 
@@ -21,9 +21,7 @@ namespace vfife
     explicit LoadedSupports(const Model &model);
 
     /** @p position in tooth meshes. */
-    void add_position(const Discretization        &discretization,
-                      double                       position,
-                      const PairEquilibriumResult &result);
+    void add_position(const FemSpace &space, double position, const PairEquilibriumResult &result);
 
     /** Rows of misalignment.csv; none where nothing changes the mounting. */
     const Table &misalignments() const

@@ -58,10 +58,9 @@ namespace vfife
   private:
     using NodeVector = std::function<Vector3(unsigned int body, std::uint32_t local)>;
 
-    /** Among the points of the discretization, of a local node. */
-    std::size_t
-    point_of(const State &state, const Discretization::Part &part, std::uint32_t local) const;
-    Matrix3             rotation(unsigned int body) const;
+    /** Among the points of the space, of a local node. */
+    std::size_t point_of(const State &state, const FemSpace::Part &part, std::uint32_t local) const;
+    Matrix3     rotation(unsigned int body) const;
     std::vector<double> gather(const State &state, const NodeVector &vector) const;
     std::vector<double> displacements(const State &state) const;
     std::vector<double> turned_back(const State &state, const NodeField &forces) const;

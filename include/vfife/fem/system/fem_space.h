@@ -1,42 +1,74 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_fem_system_discretization_h
-#define vfife_fem_system_discretization_h
+#ifndef vfife_fem_system_fem_space_h
+#define vfife_fem_system_fem_space_h
 
-#include <vfife/fem/system/fem_element.h>
+#include <vfife/fem/system/element_integrals.h>
 #include <vfife/model/model.h>
 
 #include <vector>
 
+namespace dealii
+{
+  template <int, int>
+  class Triangulation;
+}
+
 namespace vfife
 {
+  /** Where an element's points between its corners lie. */
+  enum class FemGeometry
+  {
+    straight, ///< on straight edges: trilinear between the corners
+    curved    ///< on the true surfaces: dealii::MappingQ of the element's degree on the mesh's
+              ///< manifolds
+  };
+
+  /** "straight", "curved". */
+  const Choices<FemGeometry> &fem_geometry_choices();
+
   /**
-   * Points and elements of some bodies of a model, placed in the fixed frame as at time zero. The
-   * first points of a body are its nodes in their order; the quadratic element adds the middles of
-   * edges, faces and cells, each at its place on the trilinear geometry. Equal on all ranks.
+   * Displacements of some bodies of a model, in the fixed frame as at time zero: a
+   * dealii::DoFHandler of degree 1, 2 or 3 for each body. A point has three components; points of a
+   * body are its nodes in their order, then those on edges, faces and in cells. The places of the
+   * points are the geometry, a field of the displacement's own space: rigid motions and constant
+   * strains are exact on curved elements too. Equal on all ranks.
    */
-  class Discretization
+  class FemSpace
   {
   public:
     struct Part
     {
       unsigned int body; ///< of the model
       unsigned int first_point, n_points;
+      unsigned int n_nodes; ///< own points that are nodes of the body
       unsigned int first_element, n_elements;
     };
 
-    /** Throws InputError for meshes with hanging nodes. */
-    Discretization(const Model &model, const std::vector<unsigned int> &bodies, FemElement element);
+    /** Throws InputError for meshes with hanging nodes, NumericalError with body, element and place
+     * where a curved element is folded. */
+    FemSpace(const Model                     &model,
+             const std::vector<unsigned int> &bodies,
+             FemElement                       element,
+             FemGeometry                      geometry = FemGeometry::straight);
 
     /**
-     * Sector 0 of one cyclic body (quadratic: not made, throws InputError): its own nodes, then the
-     * nodes of sector 1 that its elements use; see images(). Throws InputError when the body's
-     * sectors are not rotated copies of each other, or its axis is not theirs.
+     * Sector 0 of one cyclic body: its nodes, the nodes of sector 1 that its elements use, then
+     * points between nodes; see images(). Throws InputError when the body's sectors are not rotated
+     * copies of each other, or its axis is not theirs.
      */
-    static Discretization sector_of(const Model &model, unsigned int body, FemElement element);
+    static FemSpace sector_of(const Model &model,
+                              unsigned int body,
+                              FemElement   element,
+                              FemGeometry  geometry = FemGeometry::straight);
 
     FemElement element() const
     {
       return element_;
+    }
+    /** Of the displacements along an edge. */
+    unsigned int degree() const
+    {
+      return degree_of(element_);
     }
     const Model &model() const
     {
@@ -69,6 +101,10 @@ namespace vfife
     {
       return element_points_.data() + static_cast<std::size_t>(n_local_) * e;
     }
+    /** The points of face @p f of an element, seen from outside row by row, each row along the side
+     * from corner 0 to 1 of BoundaryFace. */
+    std::vector<unsigned int> face_points(unsigned int e, unsigned int f) const;
+
     ElementNodes element_nodes(unsigned int e) const;
     /** Body::stress_free_nodes() of all points. */
     ElementNodes stress_free_nodes(unsigned int e) const;
@@ -85,8 +121,8 @@ namespace vfife
     const Part *find_part(unsigned int body) const;
 
     /**
-     * The points of a set of the body's nodes: the nodes and, of the quadratic element, the middles
-     * of boundary edges and faces whose corners all are in the set; of a sector, its own nodes.
+     * The points of a set of the body's nodes: the nodes and all points on boundary edges and faces
+     * whose corners are in the set; of a sector, no images.
      */
     std::vector<unsigned int> points_of(const Part                      &part,
                                         const std::vector<unsigned int> &nodes) const;
@@ -108,12 +144,18 @@ namespace vfife
     Eigen::VectorXd gather_from_stress_free(unsigned int e, const std::vector<double> &u) const;
 
   private:
-    Discretization(const Model &model, FemElement element);
-    void add_body(unsigned int body);
-    void add_middles(const Body &body, const Part &part);
+    FemSpace(const Model &model, FemElement element, FemGeometry geometry);
+    void add_part(unsigned int                       body,
+                  const dealii::Triangulation<3, 3> &triangulation,
+                  const std::vector<Vector3>        &nodes,
+                  unsigned int                       n_nodes);
+    void add_images_between(const dealii::Triangulation<3, 3> &triangulation);
+    void curve(const Part &part);
+    void check_folds(const Part &part) const;
 
     const Model                                       *model_;
     FemElement                                         element_;
+    FemGeometry                                        geometry_;
     unsigned int                                       n_local_;
     std::vector<Part>                                  parts_;
     std::vector<Vector3>                               points_;

@@ -1,0 +1,248 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/element/stiffness.h>
+#include <vfife/fem/system/element_integrals.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_dgq.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_tools.h>
+
+#include <Eigen/LU>
+
+#include <array>
+#include <limits>
+
+namespace vfife
+{
+  namespace
+  {
+    StiffnessKind stiffness_of(const FemElement element)
+    {
+      return element == FemElement::full ? StiffnessKind::full : StiffnessKind::incompatible_modes;
+    }
+
+    /** Along each axis, of an element with @p n_points. */
+    unsigned int degree_of_points(const std::size_t n_points)
+    {
+      return n_points == 8 ? 1 : (n_points == 27 ? 2 : 3);
+    }
+
+    struct ReferencePoint
+    {
+      Eigen::VectorXd N;
+      Eigen::MatrixXd gradients; ///< to the reference coordinates, a column per shape function
+      double          weight;
+    };
+
+    /** Values of the shape functions at the points of @p rule. */
+    template <int dim>
+    std::vector<ReferencePoint> evaluate(const unsigned int             degree,
+                                         const dealii::Quadrature<dim> &rule)
+    {
+      const dealii::FE_Q<dim> element(degree);
+      const auto numbers = dealii::FETools::lexicographic_to_hierarchic_numbering<dim>(degree);
+      std::vector<ReferencePoint> points;
+      for (unsigned int q = 0; q < rule.size(); ++q)
+        {
+          ReferencePoint point{Eigen::VectorXd(numbers.size()),
+                               Eigen::MatrixXd(dim, numbers.size()),
+                               rule.weight(q)};
+          for (unsigned int a = 0; a < numbers.size(); ++a)
+            {
+              point.N[a]          = element.shape_value(numbers[a], rule.point(q));
+              const auto gradient = element.shape_grad(numbers[a], rule.point(q));
+              for (unsigned int d = 0; d < dim; ++d)
+                point.gradients(d, a) = gradient[d];
+            }
+          points.push_back(std::move(point));
+        }
+      return points;
+    }
+
+    /** Of all degrees: evaluated once. */
+    using OfDegrees = std::array<std::vector<ReferencePoint>, 3>;
+
+    template <typename Evaluate>
+    OfDegrees for_degrees(const Evaluate &evaluate_degree)
+    {
+      return {{evaluate_degree(1), evaluate_degree(2), evaluate_degree(3)}};
+    }
+
+    std::vector<ElementPoint> map_points(const std::vector<ReferencePoint> &references,
+                                         const ElementNodes                &X)
+    {
+      std::vector<ElementPoint> points;
+      for (const ReferencePoint &reference : references)
+        {
+          // J = dX/dxi; gradients to X are J^-T times those to xi.
+          const Matrix3 jacobian    = X * reference.gradients.transpose();
+          const double  determinant = jacobian.determinant();
+          if (!(determinant > 0.))
+            throw NumericalError("An element is folded: its Jacobian determinant is " +
+                                 std::to_string(determinant) + " mm^3 at an integration point.");
+          points.push_back({reference.N,
+                            jacobian.inverse().transpose() * reference.gradients,
+                            determinant * reference.weight});
+        }
+      return points;
+    }
+  } // namespace
+
+  unsigned int degree_of(const FemElement element)
+  {
+    return element == FemElement::cubic ? 3 : (element == FemElement::quadratic ? 2 : 1);
+  }
+
+  std::vector<double> places_along(const unsigned int degree)
+  {
+    const dealii::QGaussLobatto<1> rule(degree + 1);
+    std::vector<double>            places;
+    for (const dealii::Point<1> &point : rule.get_points())
+      places.push_back(point[0]);
+    return places;
+  }
+
+  const Choices<FemElement> &fem_element_choices()
+  {
+    static const Choices<FemElement> choices = {{"incompatible modes",
+                                                 FemElement::incompatible_modes},
+                                                {"full", FemElement::full},
+                                                {"quadratic", FemElement::quadratic},
+                                                {"cubic", FemElement::cubic}};
+    return choices;
+  }
+
+  const Choices<MassKind> &mass_choices()
+  {
+    static const Choices<MassKind> choices = {{"consistent", MassKind::consistent},
+                                              {"lumped", MassKind::lumped}};
+    return choices;
+  }
+
+  std::vector<ElementPoint> compute_element_points(const ElementNodes &X)
+  {
+    static const OfDegrees references = for_degrees(
+      [](const unsigned int degree) { return evaluate(degree, dealii::QGauss<3>(degree + 1)); });
+    return map_points(references[degree_of_points(X.cols()) - 1], X);
+  }
+
+  JacobianPoint find_least_jacobian(const ElementNodes &X)
+  {
+    static const OfDegrees references = for_degrees([](const unsigned int degree) {
+      auto       points  = evaluate(degree, dealii::QGauss<3>(degree + 1));
+      const auto corners = evaluate(degree, dealii::QTrapezoid<3>());
+      points.insert(points.end(), corners.begin(), corners.end());
+      return points;
+    });
+    JacobianPoint          least{std::numeric_limits<double>::max(), Vector3::Zero()};
+    for (const ReferencePoint &reference : references[degree_of_points(X.cols()) - 1])
+      {
+        const Matrix3 jacobian    = X * reference.gradients.transpose();
+        const double  determinant = jacobian.determinant();
+        // A place that is no number counts as folded.
+        if (!(determinant >= least.determinant))
+          least = {determinant, X * reference.N};
+      }
+    return least;
+  }
+
+  std::vector<FacePoint> compute_face_points(const ElementNodes &X)
+  {
+    static const OfDegrees references = for_degrees(
+      [](const unsigned int degree) { return evaluate(degree, dealii::QGauss<2>(degree + 2)); });
+    const unsigned int     degree = X.cols() == 4 ? 1 : (X.cols() == 9 ? 2 : 3);
+    std::vector<FacePoint> points;
+    for (const ReferencePoint &reference : references[degree - 1])
+      {
+        const Eigen::Matrix<double, 3, 2> tangents = X * reference.gradients.transpose();
+        points.push_back({reference.N, reference.weight * tangents.col(0).cross(tangents.col(1))});
+      }
+    return points;
+  }
+
+  Eigen::MatrixXd
+  compute_fem_stiffness(const ElementNodes &X, const Material &material, const FemElement element)
+  {
+    if (degree_of(element) == 1)
+      return compute_stiffness(X, material, stiffness_of(element));
+
+    const Eigen::Matrix<double, 6, 6> D = compute_elasticity(material);
+    Eigen::MatrixXd                   K = Eigen::MatrixXd::Zero(3 * X.cols(), 3 * X.cols());
+    for (const ElementPoint &point : compute_element_points(X))
+      {
+        // K = sum over points of w B^T D B [N/mm]
+        const Eigen::MatrixXd B = compute_strain_matrix(point.gradients);
+        K.noalias() += B.transpose() * (point.weight * D * B);
+      }
+    // Without the part of the round-off that is not symmetric.
+    return .5 * (K + K.transpose());
+  }
+
+  Eigen::MatrixXd
+  compute_mass_coefficients(const ElementNodes &X, const double density, const MassKind kind)
+  {
+    static const OfDegrees at_points = for_degrees([](const unsigned int degree) {
+      return evaluate(degree, dealii::QGaussLobatto<3>(degree + 1));
+    });
+    const bool             lobatto   = kind == MassKind::lumped && X.cols() > 8;
+    Eigen::MatrixXd        m         = Eigen::MatrixXd::Zero(X.cols(), X.cols());
+    for (const ElementPoint &point : lobatto
+                                       ? map_points(at_points[degree_of_points(X.cols()) - 1], X)
+                                       : compute_element_points(X))
+      m.noalias() += (density * point.weight) * point.N * point.N.transpose();
+    if (kind == MassKind::consistent)
+      return m;
+    // sum_b m_ab = rho int N_a dV, since the functions sum to one.
+    const Eigen::VectorXd rows = m.rowwise().sum();
+    return rows.asDiagonal();
+  }
+
+  Eigen::Matrix<double, 6, Eigen::Dynamic> compute_point_stresses(const ElementNodes    &X,
+                                                                  const Material        &material,
+                                                                  const FemElement       element,
+                                                                  const Eigen::VectorXd &u)
+  {
+    const Eigen::Matrix<double, 6, 6> D = compute_elasticity(material);
+    if (degree_of(element) > 1)
+      {
+        const auto                               points = compute_element_points(X);
+        Eigen::Matrix<double, 6, Eigen::Dynamic> stresses(6, points.size());
+        for (std::size_t q = 0; q < points.size(); ++q)
+          stresses.col(q) = D * compute_strain_matrix(points[q].gradients) * u;
+        return stresses;
+      }
+    // The same points in the same order as compute_element_points().
+    const ElementStrains              strains = compute_element_strains(X, stiffness_of(element));
+    const Eigen::Matrix<double, 9, 1> bubbles = compute_bubble_recovery(strains, material) * u;
+    Eigen::Matrix<double, 6, Eigen::Dynamic> stresses(6, 8);
+    for (unsigned int q = 0; q < 8; ++q)
+      stresses.col(q) = D * (strains.displacement[q] * u + strains.bubble[q] * bubbles);
+    return stresses;
+  }
+
+  const Eigen::MatrixXd &corner_extrapolation(const unsigned int degree)
+  {
+    // The polynomials that are one at a Gauss point and zero at the others, at the corners.
+    static const auto make = [](const unsigned int n) {
+      const dealii::FE_DGQArbitraryNodes<3> element{dealii::QGauss<1>(n)};
+      Eigen::MatrixXd                       matrix(n * n * n, 8);
+      for (unsigned int q = 0; q < n * n * n; ++q)
+        for (unsigned int v = 0; v < 8; ++v)
+          matrix(q, v) = element.shape_value(q, dealii::GeometryInfo<3>::unit_cell_vertex(v));
+      return matrix;
+    };
+    static const std::array<Eigen::MatrixXd, 3> matrices = {{make(2), make(3), make(4)}};
+    return matrices[degree - 1];
+  }
+
+  Eigen::MatrixXd expand_coefficients(const Eigen::MatrixXd &coefficients,
+                                      const Eigen::Matrix3d &block)
+  {
+    Eigen::MatrixXd full(3 * coefficients.rows(), 3 * coefficients.cols());
+    for (int a = 0; a < coefficients.rows(); ++a)
+      for (int b = 0; b < coefficients.cols(); ++b)
+        full.block<3, 3>(3 * a, 3 * b) = coefficients(a, b) * block;
+    return full;
+  }
+} // namespace vfife
