@@ -138,6 +138,22 @@ namespace
               lowest_mode(found, diameters[c], 0.));
   }
 
+  void modes_of_curved_elements(Communicator &world)
+  {
+    const auto    row = row_of(element_page, "One sector of the quick gear", "quadratic, curved");
+    const Columns found =
+      read_columns(do_case("prm/fem/gear_modes_cubic.prm",
+                           {"Fem/element=quadratic", "Fem/modes=2", "Output/pictures=no"},
+                           world) +
+                   "modes.csv");
+    const std::vector<unsigned int> diameters = {1, 0, 2, 3};
+    for (std::size_t c = 0; c < diameters.size(); ++c)
+      compare("curved, n = " + std::to_string(diameters[c]),
+              row[2 + c],
+              0,
+              lowest_mode(found, diameters[c], 0.));
+  }
+
   void modes_in_spin(Communicator &world)
   {
     for (const std::string measure : {"green", "biot"})
@@ -321,9 +337,15 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(
-    argc,
-    argv,
-    {oscillator, modes, modes_in_spin, spinning_block, bars_and_beams, loaded_pair, paper_pair});
+  run_parts(argc,
+            argv,
+            {oscillator,
+             modes,
+             modes_of_curved_elements,
+             modes_in_spin,
+             spinning_block,
+             bars_and_beams,
+             loaded_pair,
+             paper_pair});
   return 0;
 }
