@@ -34,6 +34,11 @@ namespace vfife
                      fem_geometry_choices(),
                      "Of quadratic and cubic elements: straight edges between nodes, or edges and "
                      "faces on the true surfaces");
+      declare_names(prm,
+                    "local refinement",
+                    options.local_refinement,
+                    "Surfaces or node sets and how often elements that touch them are divided "
+                    "into eight (fillets 2, NAME 1); fillets, flanks and all are names too");
       declare_choice(
         prm, "mass", options.mass, mass_choices(), "Mass matrix of vibrations and of spin");
       declare_choice(
@@ -132,6 +137,14 @@ namespace vfife
     catch (const InputError &error)
       {
         throw InputError(section + "/speeds", error.what());
+      }
+    try
+      {
+        read_local_refinements(local_refinement);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(section + "/local refinement", error.what());
       }
     if (geometry == FemGeometry::curved && degree_of(element) == 1)
       throw InputError(section + "/geometry",

@@ -42,11 +42,14 @@ namespace
   void compare(const std::string  &name,
                const Model        &model,
                const Communicator &communicator,
-               const FemElement    element = FemElement::incompatible_modes)
+               const FemElement    element    = FemElement::incompatible_modes,
+               const std::string  &refinement = "")
   {
     const bool spins = model.bodies[0].rate != 0;
     FemOptions options;
     options.element = element;
+    if (!refinement.empty())
+      options.local_refinement = {refinement};
     Compliance sectors(model, options, spins, communicator),
       bodies(model, options, spins, communicator, Factorized::bodies);
     check(name + ": by sectors", sectors.by_sectors() && !bodies.by_sectors());
@@ -118,6 +121,14 @@ int main(int argc, char **argv)
               make_wheel(ConstraintKind::free_rotation, rate, {{2, 12, 1}}),
               world,
               element);
+  // Two divided elements touch the border between sectors, and one above does not.
+  for (const FemElement element : {FemElement::incompatible_modes, FemElement::quadratic})
+    for (const double rate : {0., 3000.})
+      compare("refined wheel of degree " + std::to_string(degree_of(element)),
+              make_wheel(ConstraintKind::free_rotation, rate, {{2, 12, 1}}),
+              world,
+              element,
+              "outer 1");
   compare("quadratic pinion",
           make_pinion(ConstraintKind::prescribed_rotation, 0., world),
           world,

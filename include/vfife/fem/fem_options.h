@@ -28,10 +28,8 @@ namespace vfife
   };
 
   /** Section Fem. */
-  struct FemOptions
+  struct FemOptions : FemSpaceOptions
   {
-    FemElement       element          = FemElement::incompatible_modes;
-    FemGeometry      geometry         = FemGeometry::straight;
     MassKind         mass             = MassKind::consistent;
     StrainMeasure    strain           = StrainMeasure::biot;
     LinearSolverKind linear_solver    = LinearSolverKind::multigrid;
@@ -52,7 +50,8 @@ namespace vfife
     /** [rad/s]. */
     std::vector<double> rates() const;
 
-    /** Throws InputError when entries contradict each other. */
+    /** Throws InputError when entries contradict each other, or for a local refinement that is
+     * none. */
     void check(const std::string &section) const;
 
     /** Declares the entries in the section entered. */

@@ -59,9 +59,12 @@ namespace vfife
     const Unknowns           &unknowns = sector_->unknowns();
     std::vector<unsigned int> border[2];
     for (const auto &[image, original] : body_.sector().images())
+      // A point that hangs moves with others of its border.
       for (const auto &[point, side] : {std::pair(original, 0), std::pair(image, 1)})
         {
           std::set<unsigned int> own;
+          if (body_.sector().hanging().count(point) != 0)
+            continue;
           for (const auto *t = unknowns.begin(3 * std::size_t(point));
                t != unknowns.end(3 * std::size_t(point) + 2);
                ++t)

@@ -123,9 +123,8 @@ namespace vfife
     , body_(body)
     , options_(options)
     , communicator_(communicator)
-    , space_(options.cyclic_symmetry
-               ? FemSpace::sector_of(model, body, options.element, options.geometry)
-               : FemSpace(model, {body}, options.element, options.geometry))
+    , space_(options.cyclic_symmetry ? FemSpace::sector_of(model, body, options)
+                                     : FemSpace(model, {body}, options))
     , whole_(model, {body}, FemElement::incompatible_modes)
     , describer_(whole_, whole_.parts()[0])
   {

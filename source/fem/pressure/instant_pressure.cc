@@ -29,7 +29,7 @@ namespace vfife
                                    const unsigned int  cells_across,
                                    const Communicator &communicator)
     : cells_across_(cells_across)
-    , space_(model, all_bodies(model), options.element, options.geometry)
+    , space_(model, all_bodies(model), options)
     , flanks_(space_, depth)
     , depth_limit_(
         Contact(flanks_.facets(0), flanks_.facets(1), flanks_.definition().options).depth_limit())
@@ -54,7 +54,7 @@ namespace vfife
 
   void InstantPressure::check(const Model &model, const FemOptions &options, const double depth)
   {
-    const FemSpace space(model, all_bodies(model), options.element, options.geometry);
+    const FemSpace space(model, all_bodies(model), options);
     FlankPair      flanks(space, depth);
     for (unsigned int side = 0; side < 2; ++side)
       flanks.near_layer(side, copied);

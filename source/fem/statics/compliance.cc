@@ -31,7 +31,7 @@ namespace vfife
                          const Factorized    factorized)
     : model_(model)
     , communicator_(communicator)
-    , space_(model, all_bodies(model), options.element, options.geometry)
+    , space_(model, all_bodies(model), options)
     // What a housing joins is a part of the law that who asks adds.
     , rings_(space_, HousingLaw::own_seats)
   {

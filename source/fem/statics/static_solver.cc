@@ -43,7 +43,7 @@ namespace vfife
     : model_(model)
     , options_(options)
     , communicator_(communicator)
-    , space_(model, bodies, options.element, options.geometry)
+    , space_(model, bodies, options)
     , rotation_(rotation)
   {
     for (const FemSpace::Part &part : space_.parts())
@@ -175,6 +175,7 @@ namespace vfife
           sums[3 * std::size_t(d.element_points(e)[i / 3]) + i % 3] += forces[i];
       }
     communicator_.sum(sums);
+    d.move_to_masters(sums);
     strain_energy = communicator_.sum(strain_energy);
     return sums;
   }
@@ -296,20 +297,22 @@ namespace vfife
     for (const FemSpace::Part &part : space.parts())
       {
         const Body &body = model.bodies[part.body];
-        for (unsigned int e = 0; e < part.n_elements; ++e)
+        for (unsigned int e = part.first_element; e < part.first_element + part.n_elements; ++e)
           {
-            const unsigned int                element = part.first_element + e;
             const Eigen::Matrix<double, 6, 8> values =
-              compute_point_stresses(space.element_nodes(element),
-                                     body.material(e),
+              compute_point_stresses(space.element_nodes(e),
+                                     space.material(e),
                                      space.element(),
-                                     space.gather_from_stress_free(element, displacements)) *
+                                     space.gather_from_stress_free(e, displacements)) *
               corners;
             for (unsigned int v = 0; v < 8; ++v)
               {
-                const unsigned int node = body.first_node + body.elements()[e][v];
-                stresses[node] += values.col(v);
-                ++counts[node];
+                // Nodes of the body; those of divided elements have no place in the model.
+                const unsigned int point = space.corner(e, v) - part.first_point;
+                if (point >= part.n_nodes)
+                  continue;
+                stresses[body.first_node + point] += values.col(v);
+                ++counts[body.first_node + point];
               }
           }
       }

@@ -161,6 +161,18 @@ namespace vfife
     return points;
   }
 
+  const std::vector<Eigen::MatrixXd> &face_gradients(const unsigned int degree)
+  {
+    static const auto make = [](const unsigned int n) {
+      std::vector<Eigen::MatrixXd> gradients;
+      for (const ReferencePoint &point : evaluate(n, dealii::QGauss<2>(n)))
+        gradients.push_back(point.gradients);
+      return gradients;
+    };
+    static const std::array<std::vector<Eigen::MatrixXd>, 3> all = {{make(1), make(2), make(3)}};
+    return all[degree - 1];
+  }
+
   Eigen::MatrixXd
   compute_fem_stiffness(const ElementNodes &X, const Material &material, const FemElement element)
   {

@@ -1,14 +1,18 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include "refined_mesh.h"
+
 #include <vfife/base/errors.h>
 #include <vfife/fem/system/fem_space.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>
 
 #include <deal.II/dofs/dof_handler.h>
+#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_tools.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q.h>
+#include <deal.II/lac/affine_constraints.h>
 
 #include <algorithm>
 #include <array>
@@ -20,14 +24,6 @@ namespace vfife
 {
   namespace
   {
-    void refuse_hanging_nodes(const Body &body)
-    {
-      if (body.mesh().triangulation.n_levels() > 1 && body.mesh().triangulation.has_hanging_nodes())
-        throw InputError("body \"" + body.name() +
-                         "\": its mesh is refined locally and has hanging nodes, which the finite "
-                         "element solver does not take; refine it everywhere");
-    }
-
     constexpr unsigned int none = static_cast<unsigned int>(-1);
 
     /** Marks the points of a face, n along each side, on edges whose ends are marked, and all where
@@ -55,6 +51,24 @@ namespace vfife
             at(k, j) = true;
         }
     }
+    /** Marks the middles of divided edges and faces whose corners are marked (by vertex). */
+    void add_middles(const dealii::Triangulation<3>::face_iterator &face, std::vector<bool> &inside)
+    {
+      if (!face->has_children())
+        return;
+      bool all = true;
+      for (unsigned int k = 0; k < 4; ++k)
+        {
+          const auto edge = face->line(k);
+          all             = all && inside[face->vertex_index(k)];
+          if (inside[edge->vertex_index(0)] && inside[edge->vertex_index(1)])
+            inside[edge->child(0)->vertex_index(1)] = true;
+        }
+      if (all)
+        inside[face->child(0)->vertex_index(3)] = true;
+      for (unsigned int k = 0; k < 4; ++k)
+        add_middles(face->child(k), inside);
+    }
   } // namespace
 
   const Choices<FemGeometry> &fem_geometry_choices()
@@ -64,101 +78,181 @@ namespace vfife
     return choices;
   }
 
-  FemSpace::FemSpace(const Model &model, const FemElement element, const FemGeometry geometry)
+  FemSpace::FemSpace(const Model &model, const FemSpaceOptions &options)
     : model_(&model)
-    , element_(element)
-    , geometry_(geometry)
+    , options_(options)
+    , refinements_(read_local_refinements(options.local_refinement))
     , n_local_((degree() + 1) * (degree() + 1) * (degree() + 1))
   {
+    check_refinements(model, refinements_);
   }
 
   FemSpace::FemSpace(const Model                     &model,
                      const std::vector<unsigned int> &bodies,
-                     const FemElement                 element,
-                     const FemGeometry                geometry)
-    : FemSpace(model, element, geometry)
+                     const FemSpaceOptions           &options)
+    : FemSpace(model, options)
   {
     for (const unsigned int b : bodies)
       {
         const Body &body = model.bodies[b];
-        refuse_hanging_nodes(body);
-        add_part(b, body.mesh().triangulation, body.node_positions(), body.n_nodes());
-        curve(parts_.back());
+        const auto  mesh = std::make_shared<const RefinedMesh>(body, refinements_);
+        add_part(b, mesh, *mesh, body.node_positions(), body.n_nodes());
       }
   }
 
-  void FemSpace::add_part(const unsigned int              b,
-                          const dealii::Triangulation<3> &triangulation,
-                          const std::vector<Vector3>     &nodes,
-                          const unsigned int              n_nodes)
+  void FemSpace::add_part(const unsigned int                        b,
+                          const std::shared_ptr<const RefinedMesh> &mesh,
+                          const RefinedMesh                        &whole,
+                          const std::vector<Vector3>               &nodes,
+                          const unsigned int                        n_nodes)
   {
-    Part part{b, n_points(), 0, n_nodes, n_elements(), triangulation.n_active_cells()};
+    const Body &body = model_->bodies[b];
+    Part        part{b, n_points(), 0, n_nodes, n_elements(), unsigned(mesh->elements().size())};
     for (const Vector3 &x : nodes)
-      points_.push_back(model_->bodies[b].placement(x));
+      points_.push_back(body.placement(x));
 
+    // 1. Points by the degrees of freedom of a scalar field.
     const dealii::FE_Q<3> element(degree());
-    dealii::DoFHandler<3> dofs(triangulation);
+    dealii::DoFHandler<3> dofs(mesh->triangulation());
     dofs.distribute_dofs(element);
-    const auto  numbers = dealii::FETools::lexicographic_to_hierarchic_numbering<3>(degree());
-    const auto &places  = element.get_unit_support_points();
-    std::vector<unsigned int>                    point_of(dofs.n_dofs(), none);
+    const auto numbers = dealii::FETools::lexicographic_to_hierarchic_numbering<3>(degree());
+    std::vector<unsigned int> point_of(dofs.n_dofs(), none);
+    std::vector<unsigned int> point_of_vertex(mesh->triangulation().n_vertices());
     std::vector<dealii::types::global_dof_index> of_cell(n_local_);
-    for (const auto &cell : dofs.active_cell_iterators())
+    for (const RefinedMesh::Element &e : mesh->elements())
       {
-        const auto corner = [&](const unsigned int v) {
-          return part.first_point + cell->vertex_index(v);
-        };
+        const dealii::DoFHandler<3>::active_cell_iterator cell(&mesh->triangulation(),
+                                                               e.cell->level(),
+                                                               e.cell->index(),
+                                                               &dofs);
         cell->get_dof_indices(of_cell);
         for (const unsigned int a : numbers)
           {
             unsigned int &point = point_of[of_cell[a]];
-            if (point == none && a < 8)
-              point = corner(a);
+            if (point == none && a < 8 && cell->vertex_index(a) < nodes.size())
+              point = part.first_point + cell->vertex_index(a);
             else if (point == none)
               {
-                point         = n_points();
-                Vector3 place = Vector3::Zero();
-                for (unsigned int v = 0; v < 8; ++v)
-                  place += dealii::GeometryInfo<3>::d_linear_shape_function(places[a], v) *
-                           points_[corner(v)];
-                points_.push_back(place);
+                point = n_points();
+                points_.emplace_back(Vector3::Zero());
               }
+            if (a < 8)
+              point_of_vertex[cell->vertex_index(a)] = point;
             element_points_.push_back(point);
           }
+        parents_.push_back(e.parent);
       }
     part.n_points = n_points() - part.first_point;
     parts_.push_back(part);
+    meshes_.push_back(mesh);
+    point_of_vertex_.push_back(std::move(point_of_vertex));
+
+    // 2. What hangs, and where all lie.
+    if (mesh->is_refined())
+      {
+        dealii::AffineConstraints<double> lines;
+        dealii::DoFTools::make_hanging_node_constraints(dofs, lines);
+        lines.close();
+        for (const auto &line : lines.get_lines())
+          {
+            auto &masters = hanging_[point_of[line.index]];
+            for (const auto &[dof, weight] : line.entries)
+              masters.emplace_back(point_of[dof], weight);
+          }
+      }
+    place_points(whole, nodes.size());
   }
 
-  void FemSpace::curve(const Part &part)
+  void FemSpace::place_points(const RefinedMesh &whole, const unsigned int n_given)
   {
-    if (degree() == 1 || geometry_ == FemGeometry::straight)
-      return;
-    // The cells of a sector are the first ones of the whole mesh, which has the manifolds.
-    const Body               &body = model_->bodies[part.body];
+    const Part               &part      = parts_.back();
+    const RigidMotion        &placement = model_->bodies[part.body].placement;
+    const RefinedMesh        &mesh      = *meshes_.back();
+    const bool                is_curved = degree() > 1 && options_.geometry == FemGeometry::curved;
     const dealii::FE_Q<3>     element(degree());
+    const auto               &places = element.get_unit_support_points();
     const dealii::MappingQ<3> mapping(degree());
     dealii::FEValues<3>       values(mapping,
                                element,
-                               dealii::Quadrature<3>(element.get_unit_support_points()),
+                               dealii::Quadrature<3>(places),
                                dealii::update_quadrature_points);
-    const auto        numbers = dealii::FETools::lexicographic_to_hierarchic_numbering<3>(degree());
+    const auto numbers  = dealii::FETools::lexicographic_to_hierarchic_numbering<3>(degree());
+    const auto to_fixed = [&](const dealii::Point<3> &x) {
+      return placement(Vector3(x[0], x[1], x[2]));
+    };
     std::vector<bool> is_placed(part.n_points, false);
-    auto              cell = body.mesh().triangulation.begin_active();
-    for (unsigned int e = part.first_element; e < part.first_element + part.n_elements; ++e, ++cell)
+    std::fill_n(is_placed.begin(), n_given, true);
+    // What hangs has its masters in coarser elements.
+    const auto take = [&](const unsigned int point, const Vector3 &place) {
+      const auto found = hanging_.find(point);
+      points_[point]   = place;
+      if (found != hanging_.end())
+        {
+          points_[point].setZero();
+          for (const auto &[master, weight] : found->second)
+            points_[point] += weight * points_[master];
+        }
+      is_placed[point - part.first_point] = true;
+    };
+    for (unsigned int level = 0; level < mesh.triangulation().n_levels(); ++level)
+      for (unsigned int e = 0; e < part.n_elements; ++e)
+        {
+          if (mesh.elements()[e].cell->level() != static_cast<int>(level))
+            continue;
+          const unsigned int *points  = element_points(part.first_element + e);
+          const auto          is_open = [&](const unsigned int a) {
+            return !is_placed[points[a] - part.first_point];
+          };
+          // The elements of a sector are the first ones of the whole mesh, which has the true
+          // surfaces.
+          const RefinedMesh::Cell &cell = whole.elements()[e].cell;
+          bool                     any  = false;
+          for (unsigned int a = 0; a < n_local_; ++a)
+            if (is_open(a) && numbers[a] < 8)
+              take(points[a], to_fixed(cell->vertex(numbers[a])));
+            else
+              any = any || is_open(a);
+          if (any && is_curved)
+            values.reinit(cell);
+          for (unsigned int a = 0; any && a < n_local_; ++a)
+            if (is_open(a))
+              {
+                Vector3 place = Vector3::Zero();
+                if (is_curved)
+                  place = to_fixed(values.quadrature_point(numbers[a]));
+                else
+                  for (unsigned int v = 0; v < 8; ++v)
+                    place +=
+                      dealii::GeometryInfo<3>::d_linear_shape_function(places[numbers[a]], v) *
+                      points_[corner(part.first_element + e, v)];
+                take(points[a], place);
+              }
+        }
+    if (is_curved || mesh.is_refined())
+      check_folds(part);
+  }
+
+  void FemSpace::move_to_masters(std::vector<double> &forces) const
+  {
+    for (const auto &[point, masters] : hanging_)
       {
-        values.reinit(cell);
-        for (unsigned int a = 0; a < n_local_; ++a)
-          {
-            const unsigned int p = element_points(e)[a] - part.first_point;
-            if (numbers[a] < 8 || is_placed[p])
-              continue;
-            const dealii::Point<3> &x     = values.quadrature_point(numbers[a]);
-            points_[part.first_point + p] = body.placement(Vector3(x[0], x[1], x[2]));
-            is_placed[p]                  = true;
-          }
+        Eigen::Map<Vector3> own(forces.data() + 3 * std::size_t(point));
+        for (const auto &[master, weight] : masters)
+          Eigen::Map<Vector3>(forces.data() + 3 * std::size_t(master)) += weight * own;
+        own.setZero();
       }
-    check_folds(part);
+  }
+
+  unsigned int FemSpace::n_body_elements(const Part &part) const
+  {
+    return meshes_[&part - parts_.data()]->n_parents();
+  }
+
+  unsigned int FemSpace::corner(const unsigned int e, const unsigned int v) const
+  {
+    const unsigned int n = degree() + 1, last = degree();
+    return element_points(
+      e)[(v & 1u) * last + n * ((v >> 1 & 1u) * last + n * (v >> 2 & 1u) * last)];
   }
 
   void FemSpace::check_folds(const Part &part) const
@@ -183,10 +277,8 @@ namespace vfife
       }
   }
 
-  FemSpace FemSpace::sector_of(const Model       &model,
-                               const unsigned int b,
-                               const FemElement   element,
-                               const FemGeometry  geometry)
+  FemSpace
+  FemSpace::sector_of(const Model &model, const unsigned int b, const FemSpaceOptions &options)
   {
     const Body          &body      = model.bodies[b];
     const BodyStructure &structure = body.structure();
@@ -209,7 +301,7 @@ namespace vfife
           throw InputError("body \"" + body.name() +
                            "\": cyclic symmetry needs the same materials in all sectors");
 
-    FemSpace           sector(model, element, geometry);
+    FemSpace           sector(model, options);
     const unsigned int n_nodes    = structure.nodes_per_sector(),
                        n_elements = structure.elements_per_sector();
     //   n_nodes + i  *---*---*       Nodes are those of sector 0 and, of sector 1, those on the
@@ -253,23 +345,23 @@ namespace vfife
           }
         cells.push_back(cell);
       }
-    BodyMesh mesh;
-    create_triangulation(mesh, nodes, cells);
-    sector.add_part(b, mesh.triangulation, nodes, n_nodes);
-    sector.add_images_between(mesh.triangulation);
-    sector.curve(sector.parts_[0]);
+    const RefinedMesh whole(body, sector.refinements_);
+    sector.add_part(
+      b, std::make_shared<const RefinedMesh>(nodes, cells, whole), whole, nodes, n_nodes);
+    sector.add_images_between();
     return sector;
   }
 
-  void FemSpace::add_images_between(const dealii::Triangulation<3> &triangulation)
+  void FemSpace::add_images_between()
   {
-    if (degree() == 1)
+    if (degree() == 1 && !meshes_[0]->is_refined())
       return;
-    // A face whose corners are images is the turned copy of the face of their originals.
+    // A face of the body whose corners are images is the turned copy of the face of their
+    // originals.
     const std::map<unsigned int, unsigned int> originals(images_.begin(), images_.end());
     using Corners = std::array<unsigned int, 4>;
     std::map<Corners, std::vector<unsigned int>> lower, upper; // points of faces by corners
-    for (const auto &cell : triangulation.active_cell_iterators())
+    for (const auto &cell : meshes_[0]->triangulation().cell_iterators_on_level(0))
       for (unsigned int f = 0; f < 6; ++f)
         if (cell->face(f)->at_boundary())
           {
@@ -283,7 +375,9 @@ namespace vfife
                   found != originals.end() ? found->second : cell->face(f)->vertex_index(k);
               }
             std::sort(corners.begin(), corners.end());
-            (n_images == 4 ? upper : lower)[corners] = face_points(cell->active_cell_index(), f);
+            auto &points = (n_images == 4 ? upper : lower)[corners];
+            for (const auto &face : points_on_face(parts_[0], cell->index(), f))
+              points.insert(points.end(), face.begin(), face.end());
           }
     const Axis        axis = compute_sector_axis(model_->bodies[parts_[0].body]);
     const Matrix3     back = rotation_about(axis.direction, -sector_angle_);
@@ -299,13 +393,16 @@ namespace vfife
             const auto    distance = [&](const unsigned int i) {
               return (points_[i] - place).squaredNorm();
             };
+            const unsigned int original =
+              *std::min_element(among.begin(),
+                                among.end(),
+                                [&](const unsigned int i, const unsigned int j) {
+                                  return distance(i) < distance(j);
+                                });
+            if ((hanging_.count(p) != 0) != (hanging_.count(original) != 0))
+              throw NumericalError("the two borders of a sector are divided differently");
             is_image[p] = true;
-            images_.emplace_back(p,
-                                 *std::min_element(among.begin(),
-                                                   among.end(),
-                                                   [&](const unsigned int i, const unsigned int j) {
-                                                     return distance(i) < distance(j);
-                                                   }));
+            images_.emplace_back(p, original);
           }
   }
 
@@ -332,6 +429,17 @@ namespace vfife
     return of_face;
   }
 
+  std::vector<std::vector<unsigned int>>
+  FemSpace::points_on_face(const Part &part, const unsigned int element, const unsigned int f) const
+  {
+    const RefinedMesh                     &mesh = *meshes_[&part - parts_.data()];
+    std::vector<std::vector<unsigned int>> faces;
+    for (unsigned int e = mesh.first_of(element); e < mesh.first_of(element + 1); ++e)
+      if ((mesh.elements()[e].faces >> f & 1u) != 0)
+        faces.push_back(face_points(part.first_element + e, f));
+    return faces;
+  }
+
   ElementNodes FemSpace::element_nodes(const unsigned int e) const
   {
     ElementNodes        X(3, n_local_);
@@ -346,8 +454,7 @@ namespace vfife
     const Part        &part = part_of_element(e);
     const Body        &body = model_->bodies[part.body];
     const ElementNodes X    = element_nodes(e);
-    return body.has_initial_strains() ? expand_nodes(X, body.initial_strain(e - part.first_element))
-                                      : X;
+    return body.has_initial_strains() ? expand_nodes(X, body.initial_strain(parents_[e])) : X;
   }
 
   Eigen::VectorXd FemSpace::gather_from_stress_free(const unsigned int         e,
@@ -394,7 +501,8 @@ namespace vfife
     for (const unsigned int node : nodes)
       if (node < part.n_nodes)
         inside[part.first_point + node] = true;
-    if (degree() > 1)
+    const RefinedMesh &mesh = *meshes_[&part - parts_.data()];
+    if (degree() > 1 || mesh.is_refined())
       {
         const Body                  &body = model_->bodies[part.body];
         const std::set<unsigned int> set(nodes.begin(), nodes.end());
@@ -403,16 +511,25 @@ namespace vfife
             inside[image] = set.count(body.structure().copy(original, 1)) != 0;
         // Edges through the interior between two nodes of the set are not part of it: only boundary
         // faces and their edges are, as for the areas of the nodes.
-        unsigned int e = part.first_element;
+        std::vector<std::pair<unsigned int, unsigned int>> faces; // elements of the body, numbers
         for (const auto &cell : body.mesh().triangulation.active_cell_iterators())
+          for (unsigned int f = 0; f < 6 && cell->active_cell_index() < mesh.n_parents(); ++f)
+            if (cell->face(f)->at_boundary())
+              faces.emplace_back(cell->active_cell_index(), f);
+        if (mesh.is_refined())
           {
-            if (e == part.first_element + part.n_elements)
-              break; // of a sector
-            for (unsigned int f = 0; f < 6; ++f)
-              if (cell->face(f)->at_boundary())
-                add_face_points(face_points(e, f), degree() + 1, inside);
-            ++e;
+            const auto       &point_of = point_of_vertex_[&part - parts_.data()];
+            std::vector<bool> marked(point_of.size());
+            for (std::size_t v = 0; v < marked.size(); ++v)
+              marked[v] = inside[point_of[v]];
+            for (const auto &[e, f] : faces)
+              add_middles(RefinedMesh::Cell(&mesh.triangulation(), 0, e)->face(f), marked);
+            for (std::size_t v = 0; v < marked.size(); ++v)
+              inside[point_of[v]] = marked[v];
           }
+        for (const auto &[e, f] : faces)
+          for (const auto &points : points_on_face(part, e, f))
+            add_face_points(points, degree() + 1, inside);
         for (const auto &image : images_)
           inside[image.first] = false;
       }

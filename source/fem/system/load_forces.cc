@@ -11,15 +11,19 @@ namespace vfife
 {
   namespace
   {
-    /** The points of a boundary face and their places. */
-    std::pair<std::vector<unsigned int>, ElementNodes>
+    /** The points of the elements' faces on a face of the body, and their places. */
+    std::vector<std::pair<std::vector<unsigned int>, ElementNodes>>
     points_of_face(const FemSpace &space, const FemSpace::Part &part, const BoundaryFace &face)
     {
-      const auto   points = space.face_points(part.first_element + face.element, face.number);
-      ElementNodes X(3, points.size());
-      for (std::size_t i = 0; i < points.size(); ++i)
-        X.col(i) = space.points()[points[i]];
-      return {points, X};
+      std::vector<std::pair<std::vector<unsigned int>, ElementNodes>> faces;
+      for (const auto &points : space.points_on_face(part, face.element, face.number))
+        {
+          ElementNodes X(3, points.size());
+          for (std::size_t i = 0; i < points.size(); ++i)
+            X.col(i) = space.points()[points[i]];
+          faces.emplace_back(points, X);
+        }
+      return faces;
     }
 
     /** Masses [t] of the points, integrals of the density times the shape functions; of a point
@@ -38,16 +42,17 @@ namespace vfife
           const unsigned int   *points = space.element_points(part.first_element + e);
           const Eigen::VectorXd masses =
             compute_mass_coefficients(space.element_nodes(part.first_element + e),
-                                      body.material(e).density,
+                                      space.material(part.first_element + e).density,
                                       MassKind::consistent)
               .rowwise()
               .sum();
-          const unsigned int n = space.degree() + 1;
+          const auto        &corners = body.elements()[space.body_element(part.first_element + e)];
+          const unsigned int n       = space.degree() + 1;
           for (unsigned int a = 0; a < n * n * n; ++a)
             {
               // The corners between which it lies, by its places along x, y, z.
-              const unsigned int at[3]   = {a % n, a / n % n, a / (n * n)};
-              double             corners = 0, inside = 0;
+              const unsigned int at[3]     = {a % n, a / n % n, a / (n * n)};
+              double             n_corners = 0, inside = 0;
               for (unsigned int v = 0; v < 8; ++v)
                 {
                   bool spans = true;
@@ -55,11 +60,11 @@ namespace vfife
                     spans = spans && at[d] != ((v >> d & 1u) != 0 ? 0 : n - 1);
                   if (!spans)
                     continue;
-                  ++corners;
-                  inside += selected[body.elements()[e][v]] ? 1. : 0.;
+                  ++n_corners;
+                  inside += selected[corners[v]] ? 1. : 0.;
                 }
               if (inside > 0)
-                of_points[points[a]] += inside / corners * masses[a];
+                of_points[points[a]] += inside / n_corners * masses[a];
             }
         }
       return PointShares(of_points.begin(), of_points.end());
@@ -72,7 +77,7 @@ namespace vfife
       const Body &body = space.model().bodies[load.body];
       if (load.kind != LoadKind::acceleration && load.kind != LoadKind::pressure)
         return point_area_shares(body, load.nodes, load.faces, space, part);
-      if (load.kind == LoadKind::acceleration && space.degree() > 1)
+      if (load.kind == LoadKind::acceleration && (space.degree() > 1 || space.is_refined(part)))
         return point_masses(load.nodes, space, part);
       const std::vector<double> nodal = compute_load_shares(load, body);
       PointShares               shares;
@@ -89,7 +94,7 @@ namespace vfife
                                 const FemSpace::Part            &part)
   {
     std::vector<BoundaryFace> faces;
-    if (space.degree() > 1)
+    if (space.degree() > 1 || space.is_refined(part))
       faces = find_boundary_faces(body, nodes, selected);
     PointShares shares;
     if (faces.empty())
@@ -104,14 +109,14 @@ namespace vfife
     std::map<unsigned int, double> of_points;
     for (const BoundaryFace &face : faces)
       {
-        const auto [points, X] = points_of_face(space, part, face);
-        for (const FacePoint &at : compute_face_points(X))
-          {
-            const double area = at.normal.norm();
-            for (std::size_t i = 0; i < points.size(); ++i)
-              of_points[points[i]] += area * at.N[i];
-            sum += area;
-          }
+        for (const auto &[points, X] : points_of_face(space, part, face))
+          for (const FacePoint &at : compute_face_points(X))
+            {
+              const double area = at.normal.norm();
+              for (std::size_t i = 0; i < points.size(); ++i)
+                of_points[points[i]] += area * at.N[i];
+              sum += area;
+            }
       }
     for (auto &share : of_points)
       share.second /= sum;
@@ -156,10 +161,10 @@ namespace vfife
              find_boundary_faces(space.model().bodies[load.body], load.nodes, load.faces))
           {
             // Small displacements: the pressure keeps the direction of the undeformed face.
-            const auto [points, X] = points_of_face(space, part, face);
-            for (const FacePoint &at : compute_face_points(X))
-              for (std::size_t i = 0; i < points.size(); ++i)
-                add(points[i], -load.pressure * at.N[i] * at.normal);
+            for (const auto &[points, X] : points_of_face(space, part, face))
+              for (const FacePoint &at : compute_face_points(X))
+                for (std::size_t i = 0; i < points.size(); ++i)
+                  add(points[i], -load.pressure * at.N[i] * at.normal);
           }
         break;
       case LoadKind::spring: // see find_springs()

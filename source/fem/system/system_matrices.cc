@@ -135,6 +135,15 @@ namespace vfife
             reactions[points[a]] += forces.segment<3>(3 * a);
       }
 
+    // What hangs moves with its masters, and so does the force on it.
+    for (const auto &[point, masters] : d.hanging())
+      if (const auto hanging = reactions.find(point); hanging != reactions.end())
+        {
+          for (const auto &[master, weight] : masters)
+            if (const auto found = reactions.find(master); found != reactions.end())
+              found->second += weight * hanging->second;
+          reactions.erase(hanging);
+        }
     PointMatrices curvatures;
     for (const auto &reaction : reactions)
       {

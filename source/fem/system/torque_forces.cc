@@ -41,22 +41,24 @@ namespace vfife
       double                                     moment = 0;
       for (const BoundaryFace &face : find_boundary_faces(body, torque.nodes))
         {
-          if (face.element >= part.n_elements)
+          if (face.element >= space.n_body_elements(part))
             continue; // of another sector
-          const auto   points = space.face_points(part.first_element + face.element, face.number);
-          ElementNodes X(3, points.size());
-          for (std::size_t i = 0; i < points.size(); ++i)
-            X.col(i) = space.points()[points[i]];
-          for (const FacePoint &at : compute_face_points(X))
-            for (std::size_t i = 0; i < points.size(); ++i)
-              {
-                const double area  = at.normal.norm() * at.N[i];
-                const auto   image = originals.find(points[i]);
-                areas[image == originals.end() ? points[i] : image->second] += area;
-                moment += area * tangent_at(space, body, points[i]).norm();
-              }
+          for (const auto &points : space.points_on_face(part, face.element, face.number))
+            {
+              ElementNodes X(3, points.size());
+              for (std::size_t i = 0; i < points.size(); ++i)
+                X.col(i) = space.points()[points[i]];
+              for (const FacePoint &at : compute_face_points(X))
+                for (std::size_t i = 0; i < points.size(); ++i)
+                  {
+                    const double area  = at.normal.norm() * at.N[i];
+                    const auto   image = originals.find(points[i]);
+                    areas[image == originals.end() ? points[i] : image->second] += area;
+                    moment += area * tangent_at(space, body, points[i]).norm();
+                  }
+            }
         }
-      const double n_parts = static_cast<double>(body.n_elements()) / part.n_elements;
+      const double n_parts = static_cast<double>(body.n_elements()) / space.n_body_elements(part);
       for (auto &share : areas)
         share.second /= n_parts * moment;
       return areas;
@@ -71,7 +73,7 @@ namespace vfife
   {
     const Body &body   = space.model().bodies[torque.body];
     auto        shares = shares_of_nodes(torque, body, part);
-    if (space.degree() > 1)
+    if (space.degree() > 1 || space.is_refined(part))
       if (auto of_points = shares_of_points(torque, space, body, part); !of_points.empty())
         shares = std::move(of_points);
     for (const auto &[point, share] : shares)

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -39,8 +40,8 @@ namespace vfife
   {
     Matrix3                     columns  = Matrix3::Identity();
     std::array<bool, 3>         active   = {{true, true, true}};
-    unsigned int                hub      = none; ///< index of the shared unknown of column 2
-    bool                        is_image = false;
+    unsigned int                hub      = none;  ///< index of the shared unknown of column 2
+    bool                        is_image = false; ///< or hangs: it has no unknowns of its own
     std::array<unsigned int, 3> unknown  = {{none, none, none}};
 
     /** Leaves what @p constraints do not hold. */
@@ -115,8 +116,16 @@ namespace vfife
             local.columns.col(2) = tangent;
           }
       }
+    // A point that hangs moves as its masters do, whatever holds it.
+    for (const auto &hanging : space.hanging())
+      {
+        axes[hanging.first]          = LocalAxes();
+        axes[hanging.first].is_image = true;
+      }
     for (const auto &[image, original] : space.images())
-      if (options.open)
+      if (space.hanging().count(image) != 0)
+        continue;
+      else if (options.open)
         {
           axes[image]         = axes[original];
           axes[image].columns = sector_turn(space) * axes[original].columns;
@@ -192,32 +201,56 @@ namespace vfife
     const Matrix3 turn  = original.empty() ? Matrix3::Identity() : sector_turn(space);
     const double  phase = options.harmonic * space.sector_angle();
 
-    const auto add = [&](const LocalAxes &local, const Matrix3 &factor, const unsigned int c) {
-      for (unsigned int k = 0; k < 3; ++k)
-        if (local.unknown[k] != none)
-          // u_c = sum_k columns(c, k) q_k; an image takes those of its original, turned.
-          terms_.push_back({local.unknown[k], factor.row(c).dot(local.columns.col(k))});
+    // By unknown, in the order met; a point that hangs may meet one several times.
+    std::vector<Term> row;
+    const auto        add = [&](const unsigned int unknown, const double coefficient) {
+      for (Term &term : row)
+        if (term.unknown == unknown)
+          {
+            term.coefficient += coefficient;
+            return;
+          }
+      row.push_back({unknown, coefficient});
     };
+    // Adds factor times the displacement of a point along c.
+    const std::function<void(std::size_t, const Matrix3 &, unsigned int)> add_point =
+      [&](const std::size_t i, const Matrix3 &factor, const unsigned int c) {
+        const unsigned int p       = i % n_points;
+        const bool         second  = i >= n_points; // imaginary part
+        const auto         hanging = space.hanging().find(p);
+        const auto         found   = original.find(p);
+        if (hanging != space.hanging().end())
+          for (const auto &[master, weight] : hanging->second)
+            add_point(master + (second ? n_points : 0), weight * factor, c);
+        else if (found != original.end())
+          {
+            // (a + i b) exp(i phase): the real part of the image takes a cos - b sin.
+            add_point(found->second + (second ? n_points : 0),
+                      std::cos(phase) * (factor * turn),
+                      c);
+            if (n_copies_ == 2)
+              add_point(found->second + (second ? 0 : n_points),
+                        (second ? 1. : -1.) * std::sin(phase) * (factor * turn),
+                        c);
+          }
+        else
+          for (unsigned int k = 0; k < 3; ++k)
+            if (axes[i].unknown[k] != none)
+              // u_c = sum_k columns(c, k) q_k; an image takes those of its original, turned.
+              add(axes[i].unknown[k], factor.row(c).dot(axes[i].columns.col(k)));
+      };
     start_.push_back(0);
     for (std::size_t i = 0; i < axes.size(); ++i)
       for (unsigned int c = 0; c < 3; ++c)
         {
-          const auto found = original.find(i % n_points);
-          if (found == original.end())
-            add(axes[i], Matrix3::Identity(), c);
-          else
-            {
-              // (a + i b) exp(i phase): the real part of the image takes a cos - b sin.
-              const bool imaginary = i >= n_points;
-              const auto same      = found->second + (imaginary ? n_points : 0);
-              add(axes[same], std::cos(phase) * turn, c);
-              if (n_copies_ == 2)
-                add(axes[found->second + (imaginary ? 0 : n_points)],
-                    (imaginary ? 1. : -1.) * std::sin(phase) * turn,
-                    c);
-            }
+          row.clear();
+          add_point(i, Matrix3::Identity(), c);
+          terms_.insert(terms_.end(), row.begin(), row.end());
           start_.push_back(terms_.size());
         }
+    hangs_.assign(n_points, false);
+    for (const auto &hanging : space.hanging())
+      hangs_[hanging.first] = true;
   }
 
   std::vector<double> Unknowns::expand(const std::vector<double> &q) const
@@ -232,8 +265,9 @@ namespace vfife
   std::vector<double> Unknowns::restrict_field(const std::vector<double> &u) const
   {
     std::vector<double> q(n(), 0.), weight(n(), 0.);
+    // Points that hang follow from the others.
     for (std::size_t row = 0; row < u.size(); ++row)
-      for (const Term *t = begin(row); t != end(row); ++t)
+      for (const Term *t = begin(row); t != end(row) && !hangs_[row / 3 % hangs_.size()]; ++t)
         {
           // q_i = (sum of T_ri u_r) / (sum of T_ri^2), T having orthogonal columns.
           q[t->unknown] += t->coefficient * u[row];

@@ -41,12 +41,9 @@ namespace vfife
                                    const PairEquilibriumResult &result)
   {
     // Bodies stay in the axes of time zero; turned teeth are their copies.
-    const auto strains =
-      strains_of_displacements(model_, [&](const unsigned int body, const unsigned int node) {
-        const std::size_t point = space.find_part(body)->first_point + node;
-        return Vector3(model_.bodies[body].placement.rotation.transpose() *
-                       Eigen::Map<const Vector3>(result.displacements.data() + 3 * point));
-      });
+    if (!faces_)
+      faces_ = std::make_unique<FilletFaces>(space, stress_.fillets());
+    const FilletStrains strains = faces_->of(result.displacements);
     add_rows(stress_columns_,
              position,
              stress_.measure(position, result.teeth, strains),

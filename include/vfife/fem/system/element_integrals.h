@@ -82,6 +82,10 @@ namespace vfife
    */
   std::vector<FacePoint> compute_face_points(const ElementNodes &X);
 
+  /** Derivatives of a face's shape functions, a column each, along its two sides at its @p degree x
+   * @p degree Gauss points, where derivatives of displacements are most accurate. */
+  const std::vector<Eigen::MatrixXd> &face_gradients(unsigned int degree);
+
   /** Stiffness [N/mm], DoF 3 * point + component. */
   Eigen::MatrixXd
   compute_fem_stiffness(const ElementNodes &X, const Material &material, FemElement element);

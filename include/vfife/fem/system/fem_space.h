@@ -5,13 +5,10 @@
 #include <vfife/fem/system/element_integrals.h>
 #include <vfife/model/model.h>
 
+#include <map>
+#include <memory>
+#include <string>
 #include <vector>
-
-namespace dealii
-{
-  template <int, int>
-  class Triangulation;
-}
 
 namespace vfife
 {
@@ -26,12 +23,34 @@ namespace vfife
   /** "straight", "curved". */
   const Choices<FemGeometry> &fem_geometry_choices();
 
+  /** Elements that touch a surface or a node set, by a corner too, are divided into eight, so many
+   * times. */
+  struct LocalRefinement
+  {
+    std::string  around; ///< its name; "fillets" and "flanks" are those of both sides, "all" is all
+    unsigned int times;
+  };
+
+  /** Reads "NAME TIMES" each, 1 to 5 times. Throws InputError. */
+  std::vector<LocalRefinement> read_local_refinements(const std::vector<std::string> &texts);
+
+  /** What a FemSpace is made of. */
+  struct FemSpaceOptions
+  {
+    FemElement               element  = FemElement::incompatible_modes;
+    FemGeometry              geometry = FemGeometry::straight;
+    std::vector<std::string> local_refinement; ///< read_local_refinements()
+  };
+
+  class RefinedMesh;
+
   /**
    * Displacements of some bodies of a model, in the fixed frame as at time zero: a
    * dealii::DoFHandler of degree 1, 2 or 3 for each body. A point has three components; points of a
    * body are its nodes in their order, then those on edges, faces and in cells. The places of the
    * points are the geometry, a field of the displacement's own space: rigid motions and constant
-   * strains are exact on curved elements too. Equal on all ranks.
+   * strains are exact on curved elements too. Elements are in the order of the body's, those that
+   * an element is divided into one after the other. Equal on all ranks.
    */
   class FemSpace
   {
@@ -44,31 +63,33 @@ namespace vfife
       unsigned int first_element, n_elements;
     };
 
-    /** Throws InputError for meshes with hanging nodes, NumericalError with body, element and place
-     * where a curved element is folded. */
+    /** Throws InputError for meshes with hanging nodes of their own and for names of refinements
+     * that no body of the model has, NumericalError with body, element and place where an element
+     * is folded. */
     FemSpace(const Model                     &model,
              const std::vector<unsigned int> &bodies,
-             FemElement                       element,
-             FemGeometry                      geometry = FemGeometry::straight);
+             const FemSpaceOptions           &options);
+    FemSpace(const Model &model, const std::vector<unsigned int> &bodies, FemElement element)
+      : FemSpace(model, bodies, FemSpaceOptions{element, FemGeometry::straight, {}})
+    {
+    }
 
     /**
      * Sector 0 of one cyclic body: its nodes, the nodes of sector 1 that its elements use, then
      * points between nodes; see images(). Throws InputError when the body's sectors are not rotated
      * copies of each other, or its axis is not theirs.
      */
-    static FemSpace sector_of(const Model &model,
-                              unsigned int body,
-                              FemElement   element,
-                              FemGeometry  geometry = FemGeometry::straight);
+    static FemSpace
+    sector_of(const Model &model, unsigned int body, const FemSpaceOptions &options);
 
     FemElement element() const
     {
-      return element_;
+      return options_.element;
     }
     /** Of the displacements along an edge. */
     unsigned int degree() const
     {
-      return degree_of(element_);
+      return degree_of(options_.element);
     }
     const Model &model() const
     {
@@ -104,6 +125,33 @@ namespace vfife
     /** The points of face @p f of an element, seen from outside row by row, each row along the side
      * from corner 0 to 1 of BoundaryFace. */
     std::vector<unsigned int> face_points(unsigned int e, unsigned int f) const;
+    /** The same of all elements' faces on face @p f of the body's element @p element. */
+    std::vector<std::vector<unsigned int>>
+    points_on_face(const Part &part, unsigned int element, unsigned int f) const;
+
+    /** Elements of the body that the part has, whole or divided. */
+    unsigned int n_body_elements(const Part &part) const;
+    /** Whether some of them are divided. */
+    bool is_refined(const Part &part) const
+    {
+      return n_body_elements(part) < part.n_elements;
+    }
+    /** The body's element that element @p e is, or a part of. */
+    unsigned int body_element(const unsigned int e) const
+    {
+      return parents_[e];
+    }
+    /** The point at a corner of an element (deal.II's order). */
+    unsigned int corner(unsigned int e, unsigned int v) const;
+
+    /** Points in the middle of coarser edges and faces: each moves as the mean of others with
+     * weights (point, weight), none of which hangs. */
+    const std::map<unsigned int, std::vector<std::pair<unsigned int, double>>> &hanging() const
+    {
+      return hanging_;
+    }
+    /** Moves forces at these points (3 a point) to those that move them. */
+    void move_to_masters(std::vector<double> &forces) const;
 
     ElementNodes element_nodes(unsigned int e) const;
     /** Body::stress_free_nodes() of all points. */
@@ -114,7 +162,7 @@ namespace vfife
     const Material &material(const unsigned int e) const
     {
       const Part &part = part_of_element(e);
-      return model_->bodies[part.body].material(e - part.first_element);
+      return model_->bodies[part.body].material(parents_[e]);
     }
 
     /** The part of that body of the model, or nullptr. */
@@ -144,24 +192,29 @@ namespace vfife
     Eigen::VectorXd gather_from_stress_free(unsigned int e, const std::vector<double> &u) const;
 
   private:
-    FemSpace(const Model &model, FemElement element, FemGeometry geometry);
-    void add_part(unsigned int                       body,
-                  const dealii::Triangulation<3, 3> &triangulation,
-                  const std::vector<Vector3>        &nodes,
-                  unsigned int                       n_nodes);
-    void add_images_between(const dealii::Triangulation<3, 3> &triangulation);
-    void curve(const Part &part);
+    FemSpace(const Model &model, const FemSpaceOptions &options);
+    void add_part(unsigned int                              body,
+                  const std::shared_ptr<const RefinedMesh> &mesh,
+                  const RefinedMesh                        &whole,
+                  const std::vector<Vector3>               &nodes,
+                  unsigned int                              n_nodes);
+    /** Of the last part; the first @p n_given points have their places. */
+    void place_points(const RefinedMesh &whole, unsigned int n_given);
+    void add_images_between();
     void check_folds(const Part &part) const;
 
-    const Model                                       *model_;
-    FemElement                                         element_;
-    FemGeometry                                        geometry_;
-    unsigned int                                       n_local_;
-    std::vector<Part>                                  parts_;
-    std::vector<Vector3>                               points_;
-    std::vector<unsigned int>                          element_points_;
-    std::vector<std::pair<unsigned int, unsigned int>> images_;
-    double                                             sector_angle_ = 0;
+    const Model                                    *model_;
+    FemSpaceOptions                                 options_;
+    std::vector<LocalRefinement>                    refinements_;
+    unsigned int                                    n_local_;
+    std::vector<Part>                               parts_;
+    std::vector<Vector3>                            points_;
+    std::vector<std::shared_ptr<const RefinedMesh>> meshes_; ///< of the parts
+    std::vector<unsigned int>                       element_points_, parents_;
+    std::vector<std::vector<unsigned int>>          point_of_vertex_; ///< of the parts' meshes
+    std::map<unsigned int, std::vector<std::pair<unsigned int, double>>> hanging_;
+    std::vector<std::pair<unsigned int, unsigned int>>                   images_;
+    double                                                               sector_angle_ = 0;
   };
 
   /** Throws InputError, naming @p what, where a body of equal sectors has one of @p nodes without

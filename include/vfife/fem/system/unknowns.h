@@ -106,6 +106,7 @@ namespace vfife
     unsigned int              n_copies_ = 1;
     std::vector<unsigned int> first_;
     std::vector<std::uint8_t> padding_;
+    std::vector<bool>         hangs_; ///< by point
     std::vector<std::size_t>  start_;
     std::vector<Term>         terms_;
   };

@@ -4,10 +4,12 @@
 
 #include <vfife/output/files/figures.h>
 #include <vfife/output/measures/root_stress.h>
+#include <vfife/study/conventional/fillet_faces.h>
+
+#include <memory>
 
 namespace vfife
 {
-  class FemSpace;
   class Log;
   class OutputFolder;
   struct PairEquilibriumResult;
@@ -20,7 +22,7 @@ namespace vfife
     /** As RootStress. */
     LoadedFillets(const Model &model, const FilletOptions &options);
 
-    /** At a position [tooth meshes]. */
+    /** At a position [tooth meshes]; all of one space. */
     void add_position(const FemSpace &space, double position, const PairEquilibriumResult &result);
 
     /** Says the largest stresses and writes what there is. */
@@ -33,6 +35,7 @@ namespace vfife
     SampleColumns<RootStressSample> stress_columns_;
     SampleColumns<GaugeSample>      gauge_columns_;
     RootStress                      stress_;
+    std::unique_ptr<FilletFaces>    faces_; ///< of the space of the first position
     Table                           stresses_, gauges_;
   };
 } // namespace vfife

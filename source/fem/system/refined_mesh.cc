@@ -1,0 +1,253 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include "refined_mesh.h"
+
+#include <vfife/base/errors.h>
+#include <vfife/base/text/nearest_name.h>
+#include <vfife/mesh/node_set_names.h>
+#include <vfife/model/load_shares.h>
+
+#include <algorithm>
+#include <set>
+
+namespace vfife
+{
+  namespace
+  {
+    using Cell = RefinedMesh::Cell;
+
+    constexpr char everywhere[] = "all";
+
+    /** The node sets that a name means. */
+    std::vector<std::string> sets_of(const std::string &name)
+    {
+      if (name == "fillets")
+        return {node_set::concave_fillet, node_set::convex_fillet};
+      if (name == "flanks")
+        return {surface_name::concave, surface_name::convex};
+      return {name};
+    }
+
+    /** The nodes of a set or surface, sorted; none where the body has neither. */
+    std::vector<unsigned int> nodes_of(const Body &body, const std::string &name)
+    {
+      const BodyMesh &mesh  = body.mesh();
+      const auto      found = mesh.node_sets.find(name);
+      if (found != mesh.node_sets.end())
+        return found->second;
+      std::set<unsigned int> nodes;
+      const auto             surface = mesh.surfaces.find(name);
+      if (surface != mesh.surfaces.end())
+        for (const auto &face : faces_of(surface->second))
+          nodes.insert(face.begin(), face.end());
+      return {nodes.begin(), nodes.end()};
+    }
+
+    /** The element of the coarsest mesh that has the cell in it. */
+    unsigned int root_of(Cell cell)
+    {
+      while (cell->level() > 0)
+        cell = cell->parent();
+      return cell->index();
+    }
+
+    /** Marks the vertices of the active cells' faces that lie on face @p f of a cell. */
+    void mark_face(const Cell &cell, const unsigned int f, std::vector<bool> &marked)
+    {
+      if (cell->is_active())
+        {
+          for (unsigned int v = 0; v < 4; ++v)
+            marked[cell->face(f)->vertex_index(v)] = true;
+          return;
+        }
+      for (unsigned int c = 0; c < 8; ++c)
+        if ((c >> (f / 2) & 1u) == f % 2)
+          mark_face(cell->child(c), f, marked);
+    }
+
+    /** Flags the active cells that touch the set by a corner. */
+    void flag_around(const Body &body, const std::string &set, dealii::Triangulation<3> &mesh)
+    {
+      const std::vector<unsigned int> nodes = nodes_of(body, set);
+      std::vector<bool>               marked(mesh.n_vertices(), false);
+      for (const unsigned int node : nodes)
+        marked[node] = true;
+      for (const BoundaryFace &face : find_boundary_faces(body, nodes))
+        mark_face(Cell(&mesh, 0, face.element), face.number, marked);
+      for (const auto &cell : mesh.active_cell_iterators())
+        for (const unsigned int v : cell->vertex_indices())
+          if (marked[cell->vertex_index(v)])
+            cell->set_refine_flag();
+    }
+
+    /** Flags the neighbours of flagged cells in other sectors, so that both sides of a border are
+     * divided alike. */
+    void flag_across_borders(const BodyStructure &structure, dealii::Triangulation<3> &mesh)
+    {
+      const auto sector_of = [&](const Cell &cell) {
+        return structure.sector_of_element(root_of(cell));
+      };
+      for (bool changed = structure.n_sectors() > 1; changed;)
+        {
+          changed = false;
+          for (const auto &cell : mesh.active_cell_iterators())
+            for (unsigned int f = 0; cell->refine_flag_set() && f < 6; ++f)
+              if (!cell->at_boundary(f) && cell->neighbor(f)->is_active() &&
+                  cell->neighbor(f)->level() == cell->level() &&
+                  !cell->neighbor(f)->refine_flag_set() &&
+                  sector_of(cell->neighbor(f)) != sector_of(cell))
+                {
+                  cell->neighbor(f)->set_refine_flag();
+                  changed = true;
+                }
+        }
+    }
+
+    /** Flags the active cells below @p cell that are divided below @p other. */
+    bool flag_as(const Cell &other, const Cell &cell)
+    {
+      if (cell->is_active())
+        {
+          if (!other->has_children())
+            return false;
+          cell->set_refine_flag();
+          return true;
+        }
+      bool any = false;
+      for (unsigned int c = 0; c < 8; ++c)
+        any = flag_as(other->child(c), cell->child(c)) || any;
+      return any;
+    }
+  } // namespace
+
+  RefinedMesh::RefinedMesh(const Body &body, const std::vector<LocalRefinement> &refinements)
+    : triangulation_(&body.mesh().triangulation)
+  {
+    if (triangulation_->n_levels() > 1 && triangulation_->has_hanging_nodes())
+      throw InputError("body \"" + body.name() +
+                       "\": its mesh is refined locally and has hanging nodes, which the finite "
+                       "element solver does not take; refine it everywhere");
+    for (unsigned int step = 1;; ++step)
+      {
+        if (std::none_of(refinements.begin(), refinements.end(), [&](const LocalRefinement &asked) {
+              return asked.times >= step;
+            }))
+          break;
+        if (!own_)
+          {
+            own_ = std::make_unique<dealii::Triangulation<3>>();
+            own_->copy_triangulation(body.mesh().triangulation);
+            triangulation_ = own_.get();
+          }
+        for (const LocalRefinement &asked : refinements)
+          if (asked.times >= step && asked.around == everywhere)
+            own_->set_all_refine_flags();
+          else if (asked.times >= step)
+            for (const std::string &set : sets_of(asked.around))
+              flag_around(body, set, *own_);
+        flag_across_borders(body.structure(), *own_);
+        own_->execute_coarsening_and_refinement();
+      }
+    list_elements();
+  }
+
+  RefinedMesh::RefinedMesh(const std::vector<Vector3>   &nodes,
+                           const std::vector<CellNodes> &elements,
+                           const RefinedMesh            &whole)
+    : own_(std::make_unique<dealii::Triangulation<3>>())
+    , triangulation_(own_.get())
+  {
+    BodyMesh mesh;
+    create_triangulation(mesh, nodes, elements);
+    own_->copy_triangulation(mesh.triangulation);
+    for (bool any = whole.is_refined(); any;)
+      {
+        any = false;
+        for (unsigned int e = 0; e < elements.size(); ++e)
+          any = flag_as(Cell(whole.triangulation_, 0, e), Cell(own_.get(), 0, e)) || any;
+        if (any)
+          own_->execute_coarsening_and_refinement();
+      }
+    list_elements();
+    for (std::size_t e = 0; e < elements_.size(); ++e)
+      if (elements_[e].parent != whole.elements_[e].parent ||
+          elements_[e].cell->level() != whole.elements_[e].cell->level())
+        throw NumericalError("a sector of a body is divided otherwise than the whole body");
+  }
+
+  void RefinedMesh::list_elements()
+  {
+    is_refined_                      = own_ && own_->n_levels() > 1;
+    constexpr unsigned int all_faces = 63;
+    const auto             add       = [&](const Cell &cell) {
+      first_.push_back(elements_.size());
+      add_elements(cell, first_.size() - 1, all_faces);
+    };
+    // A body's mesh that has levels of its own counts by its active cells.
+    if (is_refined_)
+      for (const auto &cell : triangulation_->cell_iterators_on_level(0))
+        add(cell);
+    else
+      for (const auto &cell : triangulation_->active_cell_iterators())
+        add(cell);
+    first_.push_back(elements_.size());
+  }
+
+  void
+  RefinedMesh::add_elements(const Cell &cell, const unsigned int parent, const unsigned int faces)
+  {
+    if (cell->is_active())
+      {
+        elements_.push_back({cell, parent, faces});
+        return;
+      }
+    for (unsigned int c = 0; c < 8; ++c)
+      {
+        unsigned int outer = 0;
+        for (unsigned int f = 0; f < 6; ++f)
+          if ((c >> (f / 2) & 1u) == f % 2)
+            outer |= faces & (1u << f);
+        add_elements(cell->child(c), parent, outer);
+      }
+  }
+
+  std::vector<LocalRefinement> read_local_refinements(const std::vector<std::string> &texts)
+  {
+    constexpr unsigned int       most = 5;
+    std::vector<LocalRefinement> refinements;
+    for (const std::string &text : texts)
+      {
+        const std::size_t blank = text.find_last_of(' ');
+        const std::string times = blank == std::string::npos ? "" : text.substr(blank + 1);
+        if (times.size() != 1 || times[0] < '1' || times[0] > '0' + int(most))
+          throw InputError("expected a name and 1 to " + std::to_string(most) +
+                           " times, such as fillets 2, got \"" + text + "\"");
+        refinements.push_back(
+          {text.substr(0, text.find_last_not_of(' ', blank) + 1), unsigned(times[0] - '0')});
+      }
+    return refinements;
+  }
+
+  void check_refinements(const Model &model, const std::vector<LocalRefinement> &refinements)
+  {
+    for (const LocalRefinement &asked : refinements)
+      {
+        if (asked.around == everywhere)
+          continue;
+        std::vector<std::string> known = {"all", "fillets", "flanks"};
+        bool                     found = false;
+        for (const Body &body : model.bodies)
+          {
+            for (const std::string &set : sets_of(asked.around))
+              found = found || !nodes_of(body, set).empty();
+            for (const auto &set : body.mesh().node_sets)
+              known.push_back(set.first);
+            for (const auto &surface : body.mesh().surfaces)
+              known.push_back(surface.first);
+          }
+        if (!found)
+          throw InputError("Fem/local refinement",
+                           "expected all or the name of a surface or node set, got \"" +
+                             asked.around + "\"" + did_you_mean(asked.around, known));
+      }
+  }
+} // namespace vfife

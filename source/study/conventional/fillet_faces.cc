@@ -1,0 +1,93 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/model/load_shares.h>
+#include <vfife/study/conventional/fillet_faces.h>
+
+#include <algorithm>
+
+namespace vfife
+{
+  namespace
+  {
+    std::array<unsigned int, 4> sorted(std::array<unsigned int, 4> nodes)
+    {
+      std::sort(nodes.begin(), nodes.end());
+      return nodes;
+    }
+  } // namespace
+
+  FilletFaces::FilletFaces(const FemSpace &space, const std::deque<MemberFillet> &fillets)
+    : space_(&space)
+  {
+    for (const MemberFillet &member : fillets)
+      {
+        const FemSpace::Part     &part = *space.find_part(member.body);
+        const Body               &body = space.model().bodies[member.body];
+        std::vector<unsigned int> nodes;
+        for (unsigned int tooth = 0; tooth < member.fillet.n_teeth(); ++tooth)
+          for (unsigned int column = 0; column <= member.fillet.n_columns(); ++column)
+            for (unsigned int row = 0; row <= member.fillet.n_rows(); ++row)
+              nodes.push_back(member.fillet.node(column, row, tooth));
+        for (const BoundaryFace &face : find_boundary_faces(body, nodes))
+          faces_[{member.body, sorted(face.nodes)}] =
+            space.points_on_face(part, face.element, face.number);
+      }
+  }
+
+  FilletStrains FilletFaces::of(const std::vector<double> &u) const
+  {
+    const auto at_node = [this, &u](const unsigned int body, const unsigned int node) {
+      const std::size_t point = space_->find_part(body)->first_point + node;
+      return Vector3(space_->model().bodies[body].placement.rotation.transpose() *
+                     Eigen::Map<const Vector3>(u.data() + 3 * point));
+    };
+    FilletStrains strains = strains_of_displacements(space_->model(), at_node);
+    strains.facet         = [this, &u](const MemberFillet &member,
+                               const unsigned int  column,
+                               const unsigned int  row,
+                               const unsigned int  tooth) {
+      return of_facet(member, member.fillet.facet(column, row, tooth), u);
+    };
+    return strains;
+  }
+
+  SurfaceTensor FilletFaces::of_facet(const MemberFillet               &member,
+                                      const std::array<unsigned int, 4> nodes,
+                                      const std::vector<double>        &u) const
+  {
+    // Directions in the tangent plane at each point: along the facet's first side, and across.
+    const Body   &body = space_->model().bodies[member.body];
+    const Vector3 along =
+      body.placement.rotation * (body.node_positions()[nodes[1]] - body.node_positions()[nodes[0]] +
+                                 body.node_positions()[nodes[2]] - body.node_positions()[nodes[3]]);
+    SurfaceTensor worst   = SurfaceTensor::Zero();
+    double        largest = -1.;
+    for (const auto &points : faces_.at({member.body, sorted(nodes)}))
+      {
+        ElementNodes X(3, points.size()), v(3, points.size());
+        for (std::size_t i = 0; i < points.size(); ++i)
+          {
+            X.col(i) = space_->points()[points[i]];
+            v.col(i) = Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(points[i]));
+          }
+        for (const Eigen::MatrixXd &gradients : face_gradients(space_->degree()))
+          {
+            const Eigen::Matrix<double, 3, 2> tangents = X * gradients.transpose();
+            const Vector3 normal = tangents.col(0).cross(tangents.col(1)).normalized();
+            Eigen::Matrix<double, 3, 2> axes;
+            axes.col(0)                     = (along - along.dot(normal) * normal).normalized();
+            axes.col(1)                     = normal.cross(axes.col(0));
+            const Eigen::Matrix2d   to_axes = (axes.transpose() * tangents).inverse();
+            const Eigen::Matrix2d   H = axes.transpose() * (v * gradients.transpose()) * to_axes;
+            const SurfaceTensor     strain(H(0, 0), H(1, 1), .5 * (H(0, 1) + H(1, 0)));
+            const PrincipalStresses stresses =
+              compute_principal_stresses(compute_surface_stress(strain, member.fillet.material()));
+            if (const double size = std::max(stresses.first, -stresses.third); size > largest)
+              {
+                largest = size;
+                worst   = strain;
+              }
+          }
+      }
+    return worst;
+  }
+} // namespace vfife
