@@ -127,8 +127,6 @@ namespace
     const Model model = make_pinion(ConstraintKind::free_rotation, 0., communicator);
     const auto  find  = [&](const bool sector, const std::vector<std::string> &refinement) {
       FemOptions options;
-      options.element          = FemElement::quadratic;
-      options.geometry         = FemGeometry::curved;
       options.local_refinement = refinement;
       options.n_modes          = sector ? 3 : 7;
       options.largest_diameter = 3;

@@ -28,6 +28,13 @@ namespace vfife
       return n_points == 8 ? 1 : (n_points == 27 ? 2 : 3);
     }
 
+    /** Gauss points along each axis. Gradients times det J have degree 3 degree - 1 on curved
+     * elements; to integrate them exactly is the patch test. */
+    unsigned int n_gauss(const unsigned int degree)
+    {
+      return degree == 3 ? 5 : degree + 1;
+    }
+
     struct ReferencePoint
     {
       Eigen::VectorXd N;
@@ -122,15 +129,16 @@ namespace vfife
 
   std::vector<ElementPoint> compute_element_points(const ElementNodes &X)
   {
-    static const OfDegrees references = for_degrees(
-      [](const unsigned int degree) { return evaluate(degree, dealii::QGauss<3>(degree + 1)); });
+    static const OfDegrees references = for_degrees([](const unsigned int degree) {
+      return evaluate(degree, dealii::QGauss<3>(n_gauss(degree)));
+    });
     return map_points(references[degree_of_points(X.cols()) - 1], X);
   }
 
   JacobianPoint find_least_jacobian(const ElementNodes &X)
   {
     static const OfDegrees references = for_degrees([](const unsigned int degree) {
-      auto       points  = evaluate(degree, dealii::QGauss<3>(degree + 1));
+      auto       points  = evaluate(degree, dealii::QGauss<3>(n_gauss(degree)));
       const auto corners = evaluate(degree, dealii::QTrapezoid<3>());
       points.insert(points.end(), corners.begin(), corners.end());
       return points;
@@ -244,7 +252,8 @@ namespace vfife
           matrix(q, v) = element.shape_value(q, dealii::GeometryInfo<3>::unit_cell_vertex(v));
       return matrix;
     };
-    static const std::array<Eigen::MatrixXd, 3> matrices = {{make(2), make(3), make(4)}};
+    static const std::array<Eigen::MatrixXd, 3> matrices = {
+      {make(n_gauss(1)), make(n_gauss(2)), make(n_gauss(3))}};
     return matrices[degree - 1];
   }
 

@@ -56,8 +56,8 @@ namespace vfife
     double          weight = 0;
   };
 
-  /** The Gauss points of an element, degree + 1 along each axis. Throws NumericalError where det J
-   * <= 0. */
+  /** The Gauss points of an element, 2, 3 and 5 along each axis for the degrees 1, 2 and 3. Throws
+   * NumericalError where det J <= 0. */
   std::vector<ElementPoint> compute_element_points(const ElementNodes &X);
 
   struct JacobianPoint
