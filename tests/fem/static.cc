@@ -9,7 +9,6 @@
 #include <vfife/fem/statics/static_solver.h>
 #include <vfife/fem/system/load_forces.h>
 #include <vfife/fem/system/system_matrices.h>
-#include <vfife/fem/system/torque_forces.h>
 #include <vfife/mesh/primitives/primitives.h>
 
 #include <deal.II/grid/grid_tools.h>

@@ -9,7 +9,7 @@
 #include <vfife/fem/modes/rotating_body.h>
 #include <vfife/fem/statics/compliance.h>
 #include <vfife/fem/system/bearing_rings.h>
-#include <vfife/fem/system/torque_forces.h>
+#include <vfife/fem/system/load_forces.h>
 #include <vfife/reduced/body_reduction.h>
 
 #include <Eigen/Eigenvalues>

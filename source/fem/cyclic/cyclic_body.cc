@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/fem/cyclic/cyclic_body.h>
-#include <vfife/fem/system/torque_forces.h>
+#include <vfife/fem/system/load_forces.h>
 #include <vfife/fem/system/turn_pins.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>

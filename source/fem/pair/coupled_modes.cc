@@ -7,7 +7,7 @@
 #include <vfife/fem/modes/modal_solver.h>
 #include <vfife/fem/pair/coupled_modes.h>
 #include <vfife/fem/solvers/sparse_matrix.h>
-#include <vfife/fem/system/torque_forces.h>
+#include <vfife/fem/system/load_forces.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>

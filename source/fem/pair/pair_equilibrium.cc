@@ -23,6 +23,16 @@ namespace vfife
     }
   } // namespace
 
+  void require_undivided(const FemSpaceOptions &options)
+  {
+    // Forces on nodes that are far from each other would dent divided elements.
+    if (!options.local_refinement.empty())
+      throw InputError("Fem/local refinement",
+                       "expected none with tooth contact, got one: contact forces act on the nodes "
+                       "of the body, and divided elements have points between them. Set "
+                       "Fem/element = quadratic, or make the mesh of the body finer.");
+  }
+
   PairEquilibrium::PairEquilibrium(const Model               &model,
                                    Compliance                &compliance,
                                    const std::vector<double> &driver_turns)
@@ -31,6 +41,7 @@ namespace vfife
     , pair_(model)
   {
     const unsigned int driven = model.transmission->driven;
+    require_undivided(compliance.space().options());
     if (!compliance.turns_freely(driven))
       throw InputError("body \"" + model.bodies[driven].name() +
                        "\" is driven and carries a torque, but something holds its turn about its "

@@ -276,21 +276,14 @@ namespace vfife
                                                   const Material                  &material,
                                                   const FemElement                 element) const
   {
-    // Of each point the unknowns that move it, with weights; none where it is held.
-    using Movers = std::vector<std::pair<int, double>>;
-    std::vector<int>    first(points.size(), -1);
-    std::vector<Movers> movers(points.size());
-    int                 n = 0;
+    std::vector<int> first(points.size(), -1);
+    int              n = 0;
     for (std::size_t p = 0; p < points.size(); ++p)
-      if (!held[p] && hanging.count(p) == 0)
+      if (!held[p])
         {
           first[p] = n;
-          movers[p].emplace_back(n, 1.);
           n += 3;
         }
-    for (const auto &[point, masters] : hanging)
-      for (const auto &[master, weight] : masters)
-        movers[point].emplace_back(first[master], weight);
     std::vector<Eigen::Triplet<double>> entries;
     for (const std::vector<unsigned int> &own : elements)
       {
@@ -300,9 +293,11 @@ namespace vfife
         const Eigen::MatrixXd K = compute_fem_stiffness(X, material, element);
         for (Eigen::Index r = 0; r < K.rows(); ++r)
           for (Eigen::Index c = 0; c < K.cols(); ++c)
-            for (const auto &[row, row_weight] : movers[own[r / 3]])
-              for (const auto &[column, weight] : movers[own[c / 3]])
-                entries.emplace_back(row + r % 3, column + c % 3, row_weight * weight * K(r, c));
+            {
+              const int row = first[own[r / 3]], column = first[own[c / 3]];
+              if (row >= 0 && column >= 0)
+                entries.emplace_back(row + r % 3, column + c % 3, K(r, c));
+            }
       }
     Eigen::SparseMatrix<double> matrix(n, n);
     matrix.setFromTriplets(entries.begin(), entries.end());

@@ -61,13 +61,6 @@ namespace vfife
             for_points(e, [&states](const unsigned int p) { states[p] *= 2; });
         for (unsigned char &state : states)
           state = std::min<unsigned char>(state, 2);
-        // A point that hangs on what is outside is held by it.
-        for (const auto &[point, masters] : space_.hanging())
-          if (is_own(point) && states[point - part_.first_point] == 1 &&
-              std::none_of(masters.begin(), masters.end(), [&](const auto &master) {
-                return states[master.first - part_.first_point] == 1;
-              }))
-            states[point - part_.first_point] = 2;
         return states;
       }
 
@@ -99,10 +92,6 @@ namespace vfife
       }
 
     private:
-      bool is_own(const unsigned int point) const
-      {
-        return point >= part_.first_point && point < part_.first_point + part_.n_points;
-      }
       template <typename Function>
       void for_points(const unsigned int e, const Function &function) const
       {
@@ -141,12 +130,6 @@ namespace vfife
             for_points(e,
                        [&](const unsigned int p) { layer.elements.back().push_back(numbers[p]); });
           }
-      for (const auto &[point, masters] : space_.hanging())
-        if (is_own(point) && states[point - part_.first_point] == 1)
-          for (const auto &[master, weight] : masters)
-            if (states[master - part_.first_point] == 1)
-              layer.hanging[numbers[point - part_.first_point]].emplace_back(
-                numbers[master - part_.first_point], weight);
       return layer;
     }
 

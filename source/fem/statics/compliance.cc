@@ -2,8 +2,8 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/fem/statics/compliance.h>
+#include <vfife/fem/system/load_forces.h>
 #include <vfife/fem/system/spin_state.h>
-#include <vfife/fem/system/torque_forces.h>
 #include <vfife/fem/system/turn_pins.h>
 
 #include <algorithm>

@@ -6,7 +6,6 @@
 #include <vfife/fem/statics/static_solver.h>
 #include <vfife/fem/system/load_forces.h>
 #include <vfife/fem/system/spin_state.h>
-#include <vfife/fem/system/torque_forces.h>
 #include <vfife/fem/system/turn_pins.h>
 
 #include <algorithm>

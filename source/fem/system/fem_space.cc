@@ -71,13 +71,6 @@ namespace vfife
     }
   } // namespace
 
-  const Choices<FemGeometry> &fem_geometry_choices()
-  {
-    static const Choices<FemGeometry> choices = {{"straight", FemGeometry::straight},
-                                                 {"curved", FemGeometry::curved}};
-    return choices;
-  }
-
   FemSpace::FemSpace(const Model &model, const FemSpaceOptions &options)
     : model_(&model)
     , options_(options)

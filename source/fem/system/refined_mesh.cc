@@ -210,23 +210,6 @@ namespace vfife
       }
   }
 
-  std::vector<LocalRefinement> read_local_refinements(const std::vector<std::string> &texts)
-  {
-    constexpr unsigned int       most = 5;
-    std::vector<LocalRefinement> refinements;
-    for (const std::string &text : texts)
-      {
-        const std::size_t blank = text.find_last_of(' ');
-        const std::string times = blank == std::string::npos ? "" : text.substr(blank + 1);
-        if (times.size() != 1 || times[0] < '1' || times[0] > '0' + int(most))
-          throw InputError("expected a name and 1 to " + std::to_string(most) +
-                           " times, such as fillets 2, got \"" + text + "\"");
-        refinements.push_back(
-          {text.substr(0, text.find_last_not_of(' ', blank) + 1), unsigned(times[0] - '0')});
-      }
-    return refinements;
-  }
-
   void check_refinements(const Model &model, const std::vector<LocalRefinement> &refinements)
   {
     for (const LocalRefinement &asked : refinements)

@@ -2,8 +2,9 @@
 #ifndef vfife_source_fem_system_refined_mesh_h
 #define vfife_source_fem_system_refined_mesh_h
 
-#include <vfife/fem/system/fem_space.h>
+#include <vfife/fem/system/fem_space_options.h>
 #include <vfife/mesh/body_mesh.h>
+#include <vfife/model/model.h>
 
 #include <memory>
 #include <vector>

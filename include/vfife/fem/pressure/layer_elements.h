@@ -5,8 +5,6 @@
 #include <vfife/fem/system/element_integrals.h>
 
 #include <array>
-#include <map>
-#include <utility>
 #include <vector>
 
 namespace vfife
@@ -19,8 +17,6 @@ namespace vfife
     std::vector<Vector3>                   points;   ///< [mm]
     std::vector<char>                      held;     ///< of the points
     std::vector<std::vector<unsigned int>> elements; ///< points, lexicographic
-    /** Points that move as others do, (point, weight) each; masters that are held are left out. */
-    std::map<unsigned int, std::vector<std::pair<unsigned int, double>>> hanging;
 
     /**
      * Continues the elements by @p length [mm] beyond @p edges of the surface @p patch, two points

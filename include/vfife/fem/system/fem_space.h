@@ -2,7 +2,7 @@
 #ifndef vfife_fem_system_fem_space_h
 #define vfife_fem_system_fem_space_h
 
-#include <vfife/fem/system/element_integrals.h>
+#include <vfife/fem/system/fem_space_options.h>
 #include <vfife/model/model.h>
 
 #include <map>
@@ -12,36 +12,6 @@
 
 namespace vfife
 {
-  /** Where an element's points between its corners lie. */
-  enum class FemGeometry
-  {
-    straight, ///< on straight edges: trilinear between the corners
-    curved    ///< on the true surfaces: dealii::MappingQ of the element's degree on the mesh's
-              ///< manifolds
-  };
-
-  /** "straight", "curved". */
-  const Choices<FemGeometry> &fem_geometry_choices();
-
-  /** Elements that touch a surface or a node set, by a corner too, are divided into eight, so many
-   * times. */
-  struct LocalRefinement
-  {
-    std::string  around; ///< its name; "fillets" and "flanks" are those of both sides, "all" is all
-    unsigned int times;
-  };
-
-  /** Reads "NAME TIMES" each, 1 to 5 times. Throws InputError. */
-  std::vector<LocalRefinement> read_local_refinements(const std::vector<std::string> &texts);
-
-  /** What a FemSpace is made of. */
-  struct FemSpaceOptions
-  {
-    FemElement               element  = FemElement::incompatible_modes;
-    FemGeometry              geometry = FemGeometry::straight;
-    std::vector<std::string> local_refinement; ///< read_local_refinements()
-  };
-
   class RefinedMesh;
 
   /**
@@ -82,6 +52,10 @@ namespace vfife
     static FemSpace
     sector_of(const Model &model, unsigned int body, const FemSpaceOptions &options);
 
+    const FemSpaceOptions &options() const
+    {
+      return options_;
+    }
     FemElement element() const
     {
       return options_.element;

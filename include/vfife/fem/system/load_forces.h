@@ -21,6 +21,16 @@ namespace vfife
                        double                factor,
                        std::vector<double>  &forces);
 
+  /** Adds @p value [N mm] of a torque as tangential forces of constant traction, F_i = T A_i t_i /
+   * sum A_j r_j, to forces at all points (3 a point) of the space; of a sector what its
+   * own points take of the torque. A_i: nodal areas with 8 points, else integrals of the shape
+   * functions over the faces. */
+  void add_torque_forces(const Torque         &torque,
+                         const FemSpace       &space,
+                         const FemSpace::Part &part,
+                         double                value,
+                         std::vector<double>  &forces);
+
   /** Points of a body and what each takes of what acts on all of them. */
   using PointShares = std::vector<std::pair<unsigned int, double>>;
 

@@ -1,0 +1,98 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// One tooth of a pinion under pressure on curved elements with divided fillets, against a reference
+// of two other programs.
+#include "../gear/paper_pair.h"
+#include "../mesh/coarsest.h"
+#include "../mesh/paper_members.h"
+#include "../ranks.h"
+#include "../tests.h"
+
+#include <vfife/fem/statics/compliance.h>
+#include <vfife/fem/system/load_forces.h>
+#include <vfife/mesh/gear/gear_body.h>
+#include <vfife/mesh/node_set_names.h>
+#include <vfife/study/conventional/fillet_faces.h>
+
+#include <numeric>
+
+using namespace vfife;
+
+namespace
+{
+  struct Fillets
+  {
+    double tension = 0, compression = 0;
+  };
+
+  Fillets find_largest(const Body &body, const FemSpace &space, const std::vector<double> &u)
+  {
+    std::deque<MemberFillet> fillets;
+    for (const char *side : {surface_name::concave, surface_name::convex})
+      fillets.push_back({0, Fillet(body, side)});
+    const FilletFaces   faces(space, fillets);
+    const FilletStrains strains = faces.of(u);
+    Fillets             found;
+    for (const MemberFillet &member : fillets)
+      for (unsigned int column = 0; column < member.fillet.n_columns(); ++column)
+        for (unsigned int row = Fillet::first_row; row < member.fillet.end_row(); ++row)
+          {
+            const PrincipalStresses stress = compute_principal_stresses(
+              compute_surface_stress(strains.facet(member, column, row, 0),
+                                     member.fillet.material()));
+            found.tension     = largest_of(found.tension, stress.first);
+            found.compression = -largest_of(-found.compression, -stress.third);
+          }
+    return found;
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  const TestRanks ranks(argc, argv);
+  GearBodyOptions options  = coarsest(pinion_body_defaults());
+  options.cells_lengthwise = 8;
+  Model model;
+  model.add_body(Body("pinion", make_gear_body(paper::pinion(), options), Material()));
+  const Body &body = model.bodies[0];
+  Constraint  bore;
+  bore.name         = "bore";
+  bore.nodes        = body.node_set(node_set::bore);
+  model.constraints = {bore};
+  FemOptions fem;
+  fem.element          = FemElement::quadratic;
+  fem.geometry         = FemGeometry::curved;
+  fem.local_refinement = {"fillets 1"};
+  const Compliance compliance(model, fem, false, ranks.world);
+  check("by one sector", compliance.by_sectors());
+
+  // 100 MPa on the concave flank of tooth 0.
+  Load load;
+  load.name     = "pressure";
+  load.kind     = LoadKind::pressure;
+  load.pressure = 100.;
+  for (const unsigned int node : body.mesh().surfaces.at(surface_name::concave).nodes)
+    if (body.structure().sector_of(node) == 0)
+      load.nodes.push_back(node);
+  const FemSpace     &space = compliance.space();
+  std::vector<double> forces(3 * std::size_t(space.n_points()), 0.);
+  add_load_forces(load, space, space.parts()[0], 1., forces);
+  Vector3 sum = Vector3::Zero();
+  for (unsigned int p = 0; p < space.n_points(); ++p)
+    sum += Vector3(forces[3 * p], forces[3 * p + 1], forces[3 * p + 2]);
+  // The reference has the flank's area 175.157 mm^2 and this force into the metal.
+  check_below("force on the flank over that of the reference",
+              (sum + Vector3(3015.82, 13778.20, -10044.10)).norm() / 17317.,
+              1e-5);
+
+  const std::vector<double> u = compliance.solve(forces);
+  const double              deflection =
+    std::inner_product(u.begin(), u.end(), forces.begin(), 0.) / (100. * 175.157);
+  // 13.94 um within 0.04; 13.81 with fillets divided twice, 13.89 with cubic elements.
+  check_close("mean deflection of the flank [um]", 1e3 * deflection, 13.94, .25);
+  // 851 and -785 MPa; these fillets are up to 11 % short of what more divisions find on these
+  // blocks, which meet on the fillet: there 841 becomes 910 and 921 MPa.
+  const Fillets found = find_largest(body, space, u);
+  check_close("largest tension [MPa]", found.tension, 851., .03 * 851.);
+  check_close("largest compression [MPa]", found.compression, -785., .12 * 785.);
+  return 0;
+}
