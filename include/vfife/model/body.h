@@ -25,6 +25,22 @@ namespace vfife
     Vector3 direction = Vector3::UnitZ();
   };
 
+  /** What tells elements of one shape apart: their stiffness, mass and stresses. */
+  struct ElementKind
+  {
+    unsigned int material;       ///< number among those of the body
+    double       initial_strain; ///< see Body::initial_strain()
+
+    bool operator==(const ElementKind &other) const
+    {
+      return material == other.material && initial_strain == other.initial_strain;
+    }
+    bool operator!=(const ElementKind &other) const
+    {
+      return !(*this == other);
+    }
+  };
+
   /**
    * A deformable body: mesh, material, lumped masses, and where it is and how it turns at time
    * zero. Nodes and elements are numbered as the mesh's vertices and active cells; first_node
@@ -59,6 +75,10 @@ namespace vfife
     double initial_strain(const unsigned int element) const
     {
       return initial_strains_.empty() ? 0. : initial_strains_[element];
+    }
+    ElementKind kind_of(const unsigned int element) const
+    {
+      return {structure().material_of(element), initial_strain(element)};
     }
     bool has_initial_strains() const
     {
