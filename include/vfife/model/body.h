@@ -84,8 +84,8 @@ namespace vfife
     {
       return !initial_strains_.empty();
     }
-    /** By element; each above -1. */
-    void set_initial_strains(std::vector<double> strains);
+    /** To what there is, so that sources of strain sum; by element, each sum above -1. */
+    void add_initial_strains(const std::vector<double> &strains);
     /** The element in the shape in which it has no stress, around its middle [mm]. */
     HexahedronNodes stress_free_nodes(unsigned int element) const;
 
