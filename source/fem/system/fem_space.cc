@@ -282,7 +282,7 @@ namespace vfife
   {
     const Body          &body      = model.bodies[b];
     const BodyStructure &structure = body.structure();
-    if (structure.n_sectors() < 3 || structure.n_axis_nodes() > 0)
+    if (structure.n_sectors() < 3)
       throw InputError("body \"" + body.name() + "\" is not made of three or more equal sectors");
     if (!turns_about_sector_axis(body))
       throw InputError("body \"" + body.name() +
