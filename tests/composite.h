@@ -24,14 +24,14 @@ inline vfife::Body make_composite(std::unique_ptr<vfife::BodyMesh>              
   return vfife::Body("composite", materials, std::move(mesh));
 }
 
-/** Gives each element the strain of its middle. */
+/** Adds to each element the strain of its middle. */
 inline void set_strains(vfife::Body                                         &body,
                         const std::function<double(const vfife::Vector3 &)> &strain)
 {
   std::vector<double> strains;
   for (unsigned int e = 0; e < body.n_elements(); ++e)
     strains.push_back(strain(body.element_nodes(e).rowwise().mean()));
-  body.set_initial_strains(std::move(strains));
+  body.add_initial_strains(strains);
 }
 
 /** A constraint of the body 0 that holds the given directions. */

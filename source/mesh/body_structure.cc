@@ -9,18 +9,15 @@ namespace vfife
 {
   BodyStructure::BodyStructure(const unsigned int n_sectors,
                                const unsigned int n_nodes,
-                               const unsigned int n_elements,
-                               const unsigned int n_axis_nodes)
+                               const unsigned int n_elements)
     : n_sectors_(n_sectors)
-    , nodes_per_sector_((n_nodes - n_axis_nodes) / n_sectors)
+    , nodes_per_sector_(n_nodes / n_sectors)
     , elements_per_sector_(n_elements / n_sectors)
-    , n_axis_nodes_(n_axis_nodes)
   {
-    if (n_sectors * nodes_per_sector_ + n_axis_nodes != n_nodes ||
-        n_sectors * elements_per_sector_ != n_elements)
+    if (n_sectors * nodes_per_sector_ != n_nodes || n_sectors * elements_per_sector_ != n_elements)
       throw InputError("a body of " + std::to_string(n_sectors) + " equal sectors cannot have " +
-                       std::to_string(n_nodes) + " nodes, " + std::to_string(n_axis_nodes) +
-                       " of them on the axis, and " + std::to_string(n_elements) + " elements");
+                       std::to_string(n_nodes) + " nodes and " + std::to_string(n_elements) +
+                       " elements");
   }
 
   double BodyStructure::angle(const unsigned int sector) const
@@ -30,11 +27,9 @@ namespace vfife
 
   unsigned int BodyStructure::copy(const unsigned int node, const int further) const
   {
-    if (is_on_axis(node))
-      return node;
     const int n      = n_sectors_;
-    const int sector = (static_cast<int>(node / nodes_per_sector_) + further % n + n) % n;
-    return sector * nodes_per_sector_ + node % nodes_per_sector_;
+    const int sector = (static_cast<int>(sector_of(node)) + further % n + n) % n;
+    return sector * nodes_per_sector_ + first_copy(node);
   }
 
   void BodyStructure::set_materials(std::vector<std::uint8_t> materials)

@@ -166,9 +166,11 @@ namespace vfife
     return nodes;
   }
 
-  void Body::set_initial_strains(std::vector<double> strains)
+  void Body::add_initial_strains(const std::vector<double> &strains)
   {
-    initial_strains_ = std::move(strains);
+    initial_strains_.resize(n_elements(), 0.);
+    for (unsigned int e = 0; e < n_elements(); ++e)
+      initial_strains_[e] += strains[e];
   }
 
   HexahedronNodes Body::stress_free_nodes(const unsigned int element) const

@@ -19,15 +19,21 @@ namespace vfife
 
   std::vector<ProbeQuantity> list_probe_quantities(const column::Axes &axes)
   {
-    using Of = const ProbeValue &;
+    using Of   = const ProbeValue &;
+    using Kind = ProbeQuantityKind;
     std::vector<ProbeQuantity> quantities;
     for (unsigned int c = 0; c < 3; ++c)
       quantities.push_back(
-        {column::displacements(axes)[c], "mm", [c](Of value) { return value.displacement[c]; }});
-    quantities.push_back({column::von_mises, "MPa", [](Of value) { return value.von_mises; }});
+        {Kind::displacement, column::displacements(axes)[c], "mm", [c](Of value) {
+           return value.displacement[c];
+         }});
+    quantities.push_back({Kind::equivalent_stress, column::von_mises, "MPa", [](Of value) {
+                            return value.von_mises;
+                          }});
     for (unsigned int c = 0; c < 6; ++c)
-      quantities.push_back(
-        {column::stresses(axes)[c], "MPa", [c](Of value) { return value.stress[c]; }});
+      quantities.push_back({Kind::stress, column::stresses(axes)[c], "MPa", [c](Of value) {
+                              return value.stress[c];
+                            }});
     return quantities;
   }
 } // namespace vfife

@@ -22,13 +22,13 @@ namespace vfife
                      const std::vector<unsigned int>  &touch_nodes,
                      const std::vector<SectorReading> &readings)
     {
-      const std::string  name       = "body \"" + body.name() + "\": ";
-      const unsigned int per_sector = body.structure().nodes_per_sector();
+      const std::string    name      = "body \"" + body.name() + "\": ";
+      const BodyStructure &structure = body.structure();
       for (const unsigned int node : touch_nodes)
-        if (node >= per_sector)
+        if (structure.sector_of(node) != 0)
           throw InputError(name + "node " + std::to_string(node) +
                            " that forces act on is none of sector 0, which has nodes 0 to " +
-                           std::to_string(per_sector - 1));
+                           std::to_string(structure.nodes_per_sector() - 1));
       for (const SectorReading &reading : readings)
         for (const auto &weight : reading.weights)
           if (weight.first >= body.n_nodes())

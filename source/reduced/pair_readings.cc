@@ -107,7 +107,7 @@ namespace vfife
           if (corner == 8)
             continue;
           ++n_elements;
-          const HexahedronNodes X = body.element_nodes(e);
+          const HexahedronNodes free = body.stress_free_nodes(e), X = body.element_nodes(e);
           for (unsigned int k = 0; k < 8; ++k)
             {
               auto &derivative =
@@ -119,7 +119,7 @@ namespace vfife
                     x(c, k) += sign * small_way;
                     derivative.col(c) +=
                       sign / (2. * small_way) *
-                      compute_nodal_stresses(X, x, body.material(e), stiffness, FrameKind::polar)
+                      compute_nodal_stresses(free, x, body.material(e), stiffness, FrameKind::polar)
                         .col(corner);
                   }
             }

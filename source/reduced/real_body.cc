@@ -68,7 +68,7 @@ namespace vfife
             rows.push_back({probe.name + (c < 3 ? " displacement " : " stress ") + components[c],
                             c < 3 ? "mm" : "MPa",
                             place_of(reading::of_probe(probe.name, c)),
-                            probe.node / body.nodes_per_sector,
+                            body.sector_of(probe.node),
                             false});
       for (std::size_t i = 0; i < 6 * body.rings.size(); ++i)
         rows.push_back(

@@ -204,13 +204,12 @@ namespace vfife
         std::array<double, 9> values{};
         for (unsigned int c = 0; c < values.size(); ++c)
           values[c] = read(reduced.find_reading(reading::of_probe(probe.name, c)),
-                           probe.node / reduced.nodes_per_sector);
+                           reduced.sector_of(probe.node));
         // Along the body's axes as the probe's copy in sector 0 sees them; r, theta, z turn with
         // the sector.
         const Body   &bulk = model_.bodies[probe.body];
         const Matrix3 axes =
-          compute_cylindrical_axes(bulk,
-                                   bulk.node_positions()[bulk.structure().first_copy(probe.node)]);
+          compute_cylindrical_axes(bulk, bulk.node_positions()[reduced.first_copy(probe.node)]);
         measured.push_back(
           make_probe_value(axes.transpose() * Eigen::Map<const Vector3>(values.data()),
                            Eigen::Map<const Stress>(values.data() + 3),

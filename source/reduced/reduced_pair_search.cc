@@ -37,7 +37,7 @@ namespace vfife
     const ReducedBody &reduced = members_[b]->body;
     const Body        &body    = model_.bodies[b];
     return rotation_about(compute_sector_axis(body).direction,
-                          (node / reduced.nodes_per_sector) * reduced.sector_angle) *
+                          reduced.sector_of(node) * reduced.sector_angle) *
            body.placement.rotation;
   }
 

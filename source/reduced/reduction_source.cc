@@ -45,8 +45,17 @@ namespace vfife
       stream.pass(added);
       for (unsigned int e = 0; body.materials().size() > 1 && e < body.n_elements(); ++e)
         {
-          unsigned int number = body.structure().material_of(e);
-          stream.pass(number);
+          ElementKind kind = body.kind_of(e);
+          stream.pass(kind.material);
+        }
+    }
+
+    void pass_temperature(const Body &body, ByteStream &stream)
+    {
+      for (unsigned int e = 0; e < body.n_elements(); ++e)
+        {
+          ElementKind kind = body.kind_of(e);
+          stream.pass(kind.initial_strain);
         }
     }
 
@@ -101,6 +110,9 @@ namespace vfife
     };
     add("mesh", [&](ByteStream &stream) { pass_mesh(body, stream); });
     add("material", [&](ByteStream &stream) { pass_material(body, stream); });
+    // Bodies without a temperature are known by the parts that they have always had.
+    if (body.has_initial_strains())
+      add("temperature", [&](ByteStream &stream) { pass_temperature(body, stream); });
     add("hold of the hub", [&](ByteStream &stream) { pass_hub(model, b, stream); });
     add("place of the torque", [&](ByteStream &stream) { pass_torque(model, b, stream); });
     add("list of bearings and couplings",
@@ -127,9 +139,16 @@ namespace vfife
 
   std::string ReductionSource::find_difference(const ReductionSource &other) const
   {
-    for (const auto &part : parts_)
-      if (std::find(other.parts_.begin(), other.parts_.end(), part) == other.parts_.end())
-        return part.first;
+    // A part may be there on one side alone.
+    const auto find_missing = [](const auto &parts, const auto &others) {
+      return std::find_if(parts.begin(), parts.end(), [&](const auto &part) {
+        return std::find(others.begin(), others.end(), part) == others.end();
+      });
+    };
+    if (const auto part = find_missing(parts_, other.parts_); part != parts_.end())
+      return part->first;
+    if (const auto part = find_missing(other.parts_, parts_); part != other.parts_.end())
+      return part->first;
     for (std::size_t i = 0; i < axis_.size(); ++i)
       if (i >= other.axis_.size() || std::abs(axis_[i] - other.axis_[i]) > axis_tolerance)
         return "axis of rotation";

@@ -78,10 +78,10 @@ namespace vfife
     Eigen::Index row = 0;
     for (const unsigned int node : nodes)
       {
-        const unsigned int sector = node / body_.nodes_per_sector;
+        const unsigned int sector = body_.sector_of(node);
         if (runs_.empty() || runs_.back().sector != sector)
           runs_.push_back({sector, row, {}});
-        runs_.back().places.push_back(place_of_[node % body_.nodes_per_sector]);
+        runs_.back().places.push_back(place_of_[body_.first_copy(node)]);
         if (runs_.back().places.back() == no_place)
           throw NumericalError("node " + std::to_string(node) +
                                " of a reduced body may touch, "
@@ -177,7 +177,7 @@ namespace vfife
     unsigned int       last = body_.n_sectors;
     for (std::size_t i = 0; i < nodes.size(); ++i)
       {
-        const unsigned int sector = nodes[i] / body_.nodes_per_sector;
+        const unsigned int sector = body_.sector_of(nodes[i]);
         if (std::exchange(last, sector) != sector)
           {
             // All touch nodes of the sector.
@@ -198,8 +198,7 @@ namespace vfife
               of_sector +=
                 (phase(body_, h, sector) * (body_.rings.answers[h].topRows(n) * loads)).real();
           }
-        u.segment<3>(3 * i) =
-          of_sector.segment<3>(3 * place_of_[nodes[i] % body_.nodes_per_sector]);
+        u.segment<3>(3 * i) = of_sector.segment<3>(3 * place_of_[body_.first_copy(nodes[i])]);
       }
     return u;
   }

@@ -7,6 +7,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
 #include <functional>
 
 using namespace vfife;
@@ -26,6 +27,14 @@ namespace
         return error.entry() == entry;
       }
     return false;
+  }
+  MakeFrictionLaw find_friction_law(const std::string &name)
+  {
+    const auto &laws = friction_laws();
+    return std::find_if(laws.begin(),
+                        laws.end(),
+                        [&](const auto &law) { return law.first == name; })
+      ->second;
   }
   /** At the voted step, elements (4/step^2) and springs together have the highest frequency that
    * central differences allow; a spring moves one node at a wall, two between bodies. */
@@ -90,13 +99,21 @@ int main()
   check("a static friction coefficient of Coulomb's law is refused",
         refused([](ContactOptions &o) { o.friction.static_coefficient = 0.2; },
                 "Contact/static friction coefficient"));
+  check("a decay speed of Coulomb's law is refused",
+        refused([](ContactOptions &o) { o.friction.decay_speed = 50.; },
+                "Contact/friction decay speed"));
   const auto decay = [](ContactOptions &o) {
-    o.friction.law                = friction_laws().back().second;
+    o.friction.law                = find_friction_law("exponential decay");
     o.friction.coefficient        = 0.1;
     o.friction.static_coefficient = 0.2;
     o.friction.decay_speed        = 50.;
   };
   check("decaying friction", !refused(decay, "Contact/friction decay speed"));
+  ContactOptions decaying;
+  check("no friction by default", !decaying.friction.acts());
+  decay(decaying);
+  decaying.friction.coefficient = 0.;
+  check("friction at rest alone acts", decaying.friction.acts());
   check("friction that grows with the slip is refused",
         refused(
           [&](ContactOptions &o) {

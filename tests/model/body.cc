@@ -66,6 +66,10 @@ namespace
     check_close("added mass", body.added_mass() / mass, .3, 1e-14);
     check_close("mass with it", body.mass() / mass, 1.3, 1e-13);
     check_close("sum of nodal masses with it", sum(body.node_masses()) / mass, 1.3, 1e-13);
+
+    for (unsigned int source = 0; source < 2; ++source)
+      body.add_initial_strains(std::vector<double>(body.n_elements(), 1e-3));
+    check_close("initial strains of two sources", body.initial_strain(5), 2e-3, 0.);
   }
 
   /** The cells of a ring are chords: volume and areas are those of the polygons. */

@@ -92,7 +92,7 @@ namespace
         if (name == probe.name + " " + components[c])
           return rows.read(body.find_reading("probe " + probe.name + " component " +
                                              std::to_string(c)),
-                           probe.node / body.nodes_per_sector,
+                           body.sector_of(probe.node),
                            coordinates,
                            none,
                            {});

@@ -11,6 +11,7 @@
 #include <vfife/fem/system/bearing_rings.h>
 #include <vfife/fem/system/load_forces.h>
 #include <vfife/reduced/body_reduction.h>
+#include <vfife/reduced/reduction_source.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -401,6 +402,25 @@ namespace
             communicator);
   }
 
+  /** A body is not known again at another temperature. */
+  void sources(const Communicator &)
+  {
+    Model      model = make_wheel(ConstraintKind::rigid_hub, 0.);
+    Body      &wheel = model.bodies[0];
+    const auto make  = [&] { return ReductionSource(model, 0, {}, {}, {}); };
+    const auto heat  = [&](const double strain) {
+      wheel.add_initial_strains(std::vector<double>(wheel.n_elements(), strain));
+      return make();
+    };
+    const ReductionSource cold = make(), warm = heat(1e-4), hot = heat(1e-4);
+    check("a body is known again",
+          make().find_difference(hot).empty() && cold.find_difference(cold).empty());
+    for (const auto &[one, other] : {std::pair(cold, warm), std::pair(warm, hot)})
+      check("temperature",
+            one.find_difference(other) == "temperature" &&
+              other.find_difference(one) == "temperature");
+  }
+
   /** Two cut-offs: what modes lose residuals gain. */
   void cutoffs(const Communicator &communicator)
   {
@@ -656,6 +676,8 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {wheels, pinions, bearings, cutoffs, coriolis, speed, rows, refusals});
+  run_parts(argc,
+            argv,
+            {wheels, pinions, bearings, cutoffs, coriolis, speed, rows, sources, refusals});
   return 0;
 }

@@ -8,23 +8,15 @@
 namespace vfife
 {
   /**
-   * The parts of a body: equal sectors about z of its frame, and materials. Nodes are numbered
-   * sector by sector, each sector in the same order, and nodes on the axis, which belong to no
-   * sector, follow. Elements are numbered sector by sector. A body without sectors has one.
+   * The parts of a body: equal sectors about z of its frame, and materials. Nodes and elements are
+   * numbered sector by sector, each sector in the same order. A body without sectors has one.
    */
   class BodyStructure
   {
   public:
-    /** Sector of a node on the axis. */
-    static constexpr unsigned int no_sector = -1;
-
     BodyStructure() = default;
-    /** Throws InputError where the numbers of the nodes that are not on the axis or of the elements
-     * are no multiples of @p n_sectors. */
-    BodyStructure(unsigned int n_sectors,
-                  unsigned int n_nodes,
-                  unsigned int n_elements,
-                  unsigned int n_axis_nodes = 0);
+    /** Throws InputError where the numbers are no multiples of @p n_sectors. */
+    BodyStructure(unsigned int n_sectors, unsigned int n_nodes, unsigned int n_elements);
 
     unsigned int n_sectors() const
     {
@@ -44,26 +36,17 @@ namespace vfife
     {
       return elements_per_sector_;
     }
-    unsigned int n_axis_nodes() const
-    {
-      return n_axis_nodes_;
-    }
 
-    bool is_on_axis(const unsigned int node) const
-    {
-      return node >= n_sectors_ * nodes_per_sector_;
-    }
-    /** no_sector on the axis. */
     unsigned int sector_of(const unsigned int node) const
     {
-      return is_on_axis(node) ? no_sector : node / nodes_per_sector_;
+      return node / nodes_per_sector_;
     }
-    /** The same place in sector 0; a node on the axis itself. */
+    /** The same place in sector 0. */
     unsigned int first_copy(const unsigned int node) const
     {
-      return is_on_axis(node) ? node : node % nodes_per_sector_;
+      return node % nodes_per_sector_;
     }
-    /** The same place so many sectors @p further on, also backwards; a node on the axis itself. */
+    /** The same place so many sectors @p further on, also backwards. */
     unsigned int copy(unsigned int node, int further) const;
 
     unsigned int sector_of_element(const unsigned int element) const
@@ -84,7 +67,7 @@ namespace vfife
     void set_materials(std::vector<std::uint8_t> materials);
 
   private:
-    unsigned int n_sectors_ = 1, nodes_per_sector_ = 0, elements_per_sector_ = 0, n_axis_nodes_ = 0;
+    unsigned int              n_sectors_ = 1, nodes_per_sector_ = 0, elements_per_sector_ = 0;
     std::vector<std::uint8_t> materials_;
   };
 } // namespace vfife

@@ -25,6 +25,22 @@ namespace vfife
     Vector3 direction = Vector3::UnitZ();
   };
 
+  /** What tells elements of one shape apart: their stiffness, mass and stresses. */
+  struct ElementKind
+  {
+    unsigned int material;       ///< number among those of the body
+    double       initial_strain; ///< see Body::initial_strain()
+
+    bool operator==(const ElementKind &other) const
+    {
+      return material == other.material && initial_strain == other.initial_strain;
+    }
+    bool operator!=(const ElementKind &other) const
+    {
+      return !(*this == other);
+    }
+  };
+
   /**
    * A deformable body: mesh, material, lumped masses, and where it is and how it turns at time
    * zero. Nodes and elements are numbered as the mesh's vertices and active cells; first_node
@@ -60,12 +76,16 @@ namespace vfife
     {
       return initial_strains_.empty() ? 0. : initial_strains_[element];
     }
+    ElementKind kind_of(const unsigned int element) const
+    {
+      return {structure().material_of(element), initial_strain(element)};
+    }
     bool has_initial_strains() const
     {
       return !initial_strains_.empty();
     }
-    /** By element; each above -1. */
-    void set_initial_strains(std::vector<double> strains);
+    /** To what there is, so that sources of strain sum; by element, each sum above -1. */
+    void add_initial_strains(const std::vector<double> &strains);
     /** The element in the shape in which it has no stress, around its middle [mm]. */
     HexahedronNodes stress_free_nodes(unsigned int element) const;
 

@@ -73,16 +73,24 @@ namespace vfife
                               const Stress                  &stress,
                               std::initializer_list<Matrix3> turns);
 
+  /** By which tables choose and order quantities of probes. */
+  enum class ProbeQuantityKind
+  {
+    displacement,
+    equivalent_stress, ///< the same in all axes
+    stress             ///< component along the axes
+  };
+
   /** A quantity of a probe: a column of result files. */
   struct ProbeQuantity
   {
+    ProbeQuantityKind                         kind;
     std::string                               name; ///< "displacement r"
     const char                               *unit; ///< "mm" or "MPa"
     std::function<double(const ProbeValue &)> value;
   };
 
-  /** All quantities: displacements, stresses that are the same in all axes, the 6 components of the
-   * stress; along @p axes. */
+  /** All quantities along @p axes, in the order of their kinds. */
   std::vector<ProbeQuantity> list_probe_quantities(const column::Axes &axes);
 
   /** What a constraint, or a spring to the ground, exerts on its nodes. */

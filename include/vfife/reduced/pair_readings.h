@@ -35,7 +35,7 @@ namespace vfife
    * What a gear body of a pair shows: mean rotations of bore and rim about its axis, its probes
    * (each as its copy in sector 0), and of the driven body the waves of its rim with up to
    * @p largest_diameters. Stresses are those of the element kind @p stiffness, linear in the
-   * displacements.
+   * displacements, less what initial strains make of the undeformed body.
    */
   std::vector<SectorReading> list_readings(const Model  &model,
                                            unsigned int  body,

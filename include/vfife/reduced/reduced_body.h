@@ -154,6 +154,17 @@ namespace vfife
 
     Rings rings; ///< of a body in bearings
 
+    /** Sector of a node in the body's whole numbering. */
+    unsigned int sector_of(const unsigned int node) const
+    {
+      return node / nodes_per_sector;
+    }
+    /** The same place in sector 0. */
+    unsigned int first_copy(const unsigned int node) const
+    {
+      return node % nodes_per_sector;
+    }
+
     unsigned int n_rows() const
     {
       return 3 * touch_nodes.size() + readings.size();

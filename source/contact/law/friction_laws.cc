@@ -9,17 +9,23 @@ namespace vfife
 {
   namespace
   {
+    /** Refuses a number that Coulomb's law does not use. */
+    void require_unused(const std::string &entry, const std::string &expected, const double number)
+    {
+      if (number > 0.)
+        throw InputError(entry,
+                         "expected " + expected + " with the friction law \"Coulomb\", got " +
+                           number_text(number) + ". Set friction law to exponential decay.");
+    }
+
     class CoulombFriction : public FrictionLaw
     {
     public:
       explicit CoulombFriction(const FrictionNumbers &numbers)
         : coefficient_(numbers.coefficient)
       {
-        if (numbers.static_coefficient > 0.)
-          throw InputError("static friction coefficient",
-                           "expected auto with the friction law \"Coulomb\", got " +
-                             number_text(numbers.static_coefficient) +
-                             ". Set friction law to exponential decay");
+        require_unused("static friction coefficient", "auto", numbers.static_coefficient);
+        require_unused("friction decay speed", "0", numbers.decay_speed);
       }
 
       double limit(const double pressure, const double /*speed*/) const override

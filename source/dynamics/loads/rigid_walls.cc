@@ -65,7 +65,7 @@ namespace vfife
   RigidWalls::Wall::Wall(const RigidWall &wall)
     : definition(&wall)
     , law(wall.penalty.law(wall.penalty))
-    , friction_law(wall.friction.law(wall.friction))
+    , friction_law(wall.friction.acts() ? wall.friction.law(wall.friction) : nullptr)
     , mass_per_area(std::numeric_limits<double>::infinity())
     , penalty(wall.penalty.value)
     , depth_limit(std::numeric_limits<double>::infinity())
@@ -148,7 +148,7 @@ namespace vfife
     // The pressure bears any step; the springs of nodes that stick do not.
     double dt = step;
     for (const Wall &wall : walls_)
-      if (wall.definition->friction.acts())
+      if (wall.friction_law)
         dt = std::min(dt, wall.options().vote_of_stick(step));
     return dt;
   }

@@ -69,7 +69,7 @@ namespace vfife
     constexpr std::size_t n = 6; // numbers a node: whether it sticks, where, displacement, energy
     for (Wall &wall : walls_)
       {
-        if (!wall.definition->friction.acts())
+        if (!wall.friction_law)
           continue;
         // One owner a node: adding the others' zeros changes no digit.
         std::vector<double> all(n * wall.definition->nodes.size(), 0.);

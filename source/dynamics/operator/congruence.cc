@@ -23,8 +23,8 @@ namespace vfife
     };
 
     /** Node coordinates in the triad of nodes 0, 1, 2 in units of 1e-8 of the element's size, and
-     * that unit's exponent; material and initial strain. */
-    Key make_key(const HexahedronNodes &x, const unsigned int material, const double strain)
+     * that unit's exponent; the kind. */
+    Key make_key(const HexahedronNodes &x, const ElementKind &kind)
     {
       const Vector3 e1 = (x.col(1) - x.col(0)).normalized();
       const Vector3 e3 = e1.cross(x.col(2) - x.col(0)).normalized();
@@ -46,8 +46,8 @@ namespace vfife
       Key         key;
       std::size_t n = 0;
       key[n++]      = exponent;
-      key[n++]      = material;
-      key[n++]      = std::llround(strain * 1e12);
+      key[n++]      = kind.material;
+      key[n++]      = std::llround(kind.initial_strain * 1e12);
       for (unsigned int i = 1; i < 8; ++i)
         {
           const Vector3 local = triad * (x.col(i) - x.col(0));
@@ -66,9 +66,7 @@ namespace vfife
     classes.class_of.reserve(elements.size());
     for (const std::uint32_t e : elements)
       {
-        const auto [entry, is_new] = known.emplace(make_key(body.element_nodes(e),
-                                                            body.structure().material_of(e),
-                                                            body.initial_strain(e)),
+        const auto [entry, is_new] = known.emplace(make_key(body.element_nodes(e), body.kind_of(e)),
                                                    classes.representative.size());
         if (is_new)
           {

@@ -275,7 +275,7 @@ namespace vfife
   {
     const Body          &body      = model.bodies[b];
     const BodyStructure &structure = body.structure();
-    if (structure.n_sectors() < 3 || structure.n_axis_nodes() > 0)
+    if (structure.n_sectors() < 3)
       throw InputError("body \"" + body.name() + "\" is not made of three or more equal sectors");
     if (!turns_about_sector_axis(body))
       throw InputError("body \"" + body.name() +
@@ -283,16 +283,13 @@ namespace vfife
                        "point, axis direction) is not the axis of its mesh's sectors; set it along "
                        "the mesh's z, in either sense, or leave cyclic symmetry at no");
 
-    if (body.has_initial_strains())
-      for (unsigned int e = 0; e < body.n_elements(); ++e)
-        if (body.initial_strain(e) != body.initial_strain(structure.first_copy_of_element(e)))
-          throw InputError("body \"" + body.name() +
-                           "\": cyclic symmetry needs the same temperature in all sectors");
-    if (body.materials().size() > 1)
-      for (unsigned int e = 0; e < body.n_elements(); ++e)
-        if (structure.material_of(e) != structure.material_of(structure.first_copy_of_element(e)))
-          throw InputError("body \"" + body.name() +
-                           "\": cyclic symmetry needs the same materials in all sectors");
+    for (unsigned int e = 0; e < body.n_elements(); ++e)
+      if (const ElementKind kind = body.kind_of(e),
+          first                  = body.kind_of(structure.first_copy_of_element(e));
+          kind != first)
+        throw InputError("body \"" + body.name() + "\": cyclic symmetry needs the same " +
+                         (kind.material != first.material ? "materials" : "temperature") +
+                         " in all sectors");
 
     FemSpace           sector(model, options);
     const unsigned int n_nodes    = structure.nodes_per_sector(),

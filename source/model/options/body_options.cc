@@ -278,7 +278,7 @@ namespace vfife
                                  std::to_string(100. * largest_initial_strain) + " %, got " +
                                  std::to_string(rise) + " K at element " + std::to_string(e));
           }
-        body.set_initial_strains(std::move(strains));
+        body.add_initial_strains(strains);
       }
     catch (const InputError &error)
       {

@@ -35,8 +35,12 @@ namespace vfife
     {
       std::vector<ProbeQuantity> quantities =
         list_probe_quantities(probe.fixed_axes ? column::fixed_axes : column::cylindrical_axes);
-      // Components of the stress stand behind the displacement.
-      std::rotate(quantities.begin() + 3, quantities.end() - 6, quantities.end());
+      // Equivalent stresses stand behind all components.
+      std::stable_partition(quantities.begin(),
+                            quantities.end(),
+                            [](const ProbeQuantity &quantity) {
+                              return quantity.kind != ProbeQuantityKind::equivalent_stress;
+                            });
       for (const ProbeQuantity &quantity : quantities)
         columns.add(probe.name + " " + quantity.name,
                     quantity.unit,

@@ -18,7 +18,7 @@ namespace vfife
       columns.add_text(column::probe, [](Here here) { return here.name; });
       for (const ProbeQuantity &quantity : list_probe_quantities(column::cylindrical_axes))
         {
-          const bool is_length = quantity.unit == std::string("mm");
+          const bool is_length = quantity.kind == ProbeQuantityKind::displacement;
           columns.add(quantity.name,
                       is_length ? "um" : quantity.unit,
                       [value = quantity.value, factor = is_length ? 1e3 : 1.](Here here) {

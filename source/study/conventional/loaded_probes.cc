@@ -10,9 +10,11 @@ namespace vfife
 {
   LoadedProbes::LoadedProbes(const Model &model)
     : model_(model)
-    , stresses_(list_probe_quantities(column::cylindrical_axes))
   {
-    stresses_.erase(stresses_.begin(), stresses_.begin() + 3); // displacements
+    for (const ProbeQuantity &quantity : list_probe_quantities(column::cylindrical_axes))
+      if (quantity.kind == ProbeQuantityKind::equivalent_stress ||
+          quantity.kind == ProbeQuantityKind::stress)
+        stresses_.push_back(quantity);
     for (const Probe &probe : model.probes)
       copies_.push_back(list_copies(model, probe));
     table_.add_column(column::after_mesh, "tooth meshes");

@@ -26,6 +26,12 @@ namespace vfife
     /** Limit of the tangential traction [MPa] at the pressure [MPa] and the slip speed [mm/s]. */
     virtual double limit(double pressure, double speed) const = 0;
 
+    /** Whether any pressure holds surfaces at rest. */
+    bool acts() const
+    {
+      return limit(1., 0.) > 0.;
+    }
+
     /** Whether limit() needs the speed; callers pass 0 otherwise. */
     virtual bool depends_on_speed() const
     {

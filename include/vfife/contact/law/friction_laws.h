@@ -7,10 +7,9 @@
 
 namespace vfife
 {
-  /** All laws, the default first: a new one is a class and a row. It throws InputError by entry.
-   * - Coulomb: limit mu p.
-   * - exponential decay: limit mu(v) p with mu(v) = mu_k + (mu_s - mu_k) exp(-v/v_c), v the slip
-   *   speed (Abaqus, *FRICTION; Oden and Martins 1985). */
+  /** All laws (doc/theory/contact.md, Friction; the decay is that of Abaqus, *FRICTION, and Oden
+   * and Martins 1985), the default first: a new one is a class and a row. It throws InputError by
+   * entry. */
   const Choices<MakeFrictionLaw> &friction_laws();
 } // namespace vfife
 

@@ -20,9 +20,10 @@ namespace vfife
      * excites the vibrations of elastic bodies (doc/theory/contact.md). */
     double damping_ratio = 0.;
 
+    /** Whether the law does anything with these numbers. It makes the law: not for hot loops. */
     bool acts() const
     {
-      return coefficient > 0. || static_coefficient > 0.;
+      return law(*this)->acts();
     }
 
     /** Declares the entries in the subsection entered. */

@@ -151,14 +151,14 @@ namespace vfife
       /** Gap-rate damping with friction [N s/mm^3]. */
       double damping() const
       {
-        const FrictionOptions &friction = definition->friction;
-        return friction.acts() ? 2. * friction.damping_ratio * std::sqrt(penalty * mass_per_area)
-                               : 0.;
+        return friction_law
+                 ? 2. * definition->friction.damping_ratio * std::sqrt(penalty * mass_per_area)
+                 : 0.;
       }
 
       const RigidWall                   *definition;
       std::unique_ptr<const ContactLaw>  law;
-      std::unique_ptr<const FrictionLaw> friction_law;
+      std::unique_ptr<const FrictionLaw> friction_law;  ///< none: no friction
       double                             mass_per_area; ///< least of its nodes [t/mm^2]
       double                             penalty;       ///< largest [N/mm^3]
       double                             depth_limit;   ///< see is_too_deep() [mm]
@@ -178,7 +178,7 @@ namespace vfife
 
     bool has_friction(const Wall &wall) const
     {
-      return wall.definition->friction.acts() && mode_ != FrictionMode::none;
+      return wall.friction_law && mode_ != FrictionMode::none;
     }
     void collect_places(const Model &model);
     void clear_results();

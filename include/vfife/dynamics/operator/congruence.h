@@ -10,10 +10,9 @@ namespace vfife
   class Body;
 
   /**
-   * Elements of a body that are rotated and shifted copies of each other, of one material and
-   * initial strain (same local node order):
-   * all teeth of a gear, the cells of a structured block. They share stiffness, mass and stable
-   * step.
+   * Elements of a body that are rotated and shifted copies of each other, of one ElementKind (same
+   * local node order): all teeth of a gear, the cells of a structured block. They share stiffness,
+   * mass and stable step.
    */
   struct CongruenceClasses
   {
