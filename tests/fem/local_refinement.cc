@@ -120,6 +120,43 @@ namespace
     check_close("pressure on a side with divided faces", area, 2., 1e-14);
   }
 
+  /** A block between a held and a led side, divided beside both: uniaxial stress, also at what
+   * hangs on points that are led. */
+  void stretch(const FemElement element, const Communicator &communicator)
+  {
+    constexpr double strain = 1e-3;
+    Model            model  = make_block_model();
+    const auto       hold = [&](const char *side, const unsigned int direction, const double way) {
+      Constraint constraint;
+      constraint.name                    = side;
+      constraint.kind                    = ConstraintKind::directions;
+      constraint.prescribed[direction]   = true;
+      constraint.displacement[direction] = way;
+      constraint.nodes                   = model.bodies[0].node_set(side);
+      model.constraints.push_back(constraint);
+    };
+    hold("x-", 0, 0.);
+    hold("x+", 0, 2. * strain);
+    hold("y-", 1, 0.);
+    hold("z-", 2, 0.);
+    FemOptions options;
+    options.element          = element;
+    options.linear_solver    = LinearSolverKind::direct;
+    options.local_refinement = {"y- 1"};
+    const StaticSolver        solver(model, {0}, options, communicator);
+    const std::vector<double> u     = solver.solve({}).displacements;
+    const double              back  = -model.bodies[0].materials().front().poissons_ratio * strain;
+    double                    worst = 0;
+    for (unsigned int p = 0; p < solver.space().n_points(); ++p)
+      worst = largest_of(worst,
+                         (Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(p)) -
+                          solver.space().points()[p].cwiseProduct(Vector3(strain, back, back)))
+                           .norm());
+    check_below("stretched block, " + word_of(element, fem_element_choices()),
+                worst / strain,
+                1e-12);
+  }
+
   /** The modes of one sector are those of the whole body, and divided fillets make a stiff body
    * softer. */
   void pinion(const Communicator &communicator)
@@ -179,6 +216,7 @@ int main(int argc, char **argv)
                   degree_of(choice.second) > 1 ? FemGeometry::curved : FemGeometry::straight,
                   {"top 1"}},
                  ranks.world);
+      stretch(choice.second, ranks.world);
     }
   points_on_surfaces();
   pinion(ranks.world);

@@ -6,6 +6,7 @@
 #include "../mesh/coarsest.h"
 #include "../mesh/paper_members.h"
 #include "../tests.h"
+#include "pinion_fillets.h"
 
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/mpi_session.h>
@@ -14,8 +15,6 @@
 #include <vfife/mesh/gear/gear_body.h>
 #include <vfife/mesh/hexahedron_corners.h>
 #include <vfife/mesh/node_set_names.h>
-#include <vfife/stress/fillet.h>
-#include <vfife/stress/surface_stress.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -31,11 +30,6 @@ using namespace vfife;
 
 namespace
 {
-  struct RootStresses
-  {
-    double tension = 0, compression = 0;
-  };
-
   /** The pinion held by its bore; of a pressure of 100 MPa on the concave flank of tooth 0 the
    * nodes above the fillet carry their share. */
   class LoadedTooth
@@ -63,29 +57,11 @@ namespace
     /** Of both fillets of tooth 0 under displacements of the nodes. */
     RootStresses find(const std::function<Vector3(unsigned int)> &u) const
     {
-      const Body  &body = model.bodies[0];
-      RootStresses found;
-      for (const char *side : {surface_name::concave, surface_name::convex})
-        {
-          const Fillet fillet(body, side);
-          for (unsigned int c = 0; c < fillet.n_columns(); ++c)
-            for (unsigned int r = Fillet::first_row; r < fillet.end_row(); ++r)
-              {
-                const auto   facet = fillet.facet(c, r, 0);
-                FacetCorners X, moved;
-                for (unsigned int k = 0; k < 4; ++k)
-                  {
-                    X.col(k)     = body.node_positions()[facet[k]];
-                    moved.col(k) = u(facet[k]);
-                  }
-                const PrincipalStresses stress = compute_principal_stresses(
-                  compute_surface_stress(FacetStrain(X).of_displacements(moved),
-                                         body.materials().front()));
-                found.tension     = largest_of(found.tension, stress.first);
-                found.compression = -largest_of(-found.compression, -stress.third);
-              }
-        }
-      return found;
+      return find_largest(list_fillets(model.bodies[0]),
+                          strains_of_displacements(model,
+                                                   [&u](unsigned int, const unsigned int node) {
+                                                     return u(node);
+                                                   }));
     }
 
     RootStresses find(const std::vector<double> &displacements) const

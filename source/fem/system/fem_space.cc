@@ -51,6 +51,16 @@ namespace vfife
             at(k, j) = true;
         }
     }
+
+    /** Place of a part, or a copy of it, in the list. */
+    std::size_t index_of(const std::vector<FemSpace::Part> &parts, const FemSpace::Part &part)
+    {
+      std::size_t i = 0;
+      while (parts[i].first_point != part.first_point)
+        ++i;
+      return i;
+    }
+
     /** Marks the middles of divided edges and faces whose corners are marked (by vertex). */
     void add_middles(const dealii::Triangulation<3>::face_iterator &face, std::vector<bool> &inside)
     {
@@ -238,7 +248,7 @@ namespace vfife
 
   unsigned int FemSpace::n_body_elements(const Part &part) const
   {
-    return meshes_[&part - parts_.data()]->n_parents();
+    return meshes_[index_of(parts_, part)]->n_parents();
   }
 
   unsigned int FemSpace::corner(const unsigned int e, const unsigned int v) const
@@ -260,7 +270,7 @@ namespace vfife
             const Vector3 place =
               body.placement.rotation.transpose() * (least.place - body.placement.translation);
             std::ostringstream text;
-            text << "body \"" << body.name() << "\": element " << e - part.first_element
+            text << "body \"" << body.name() << "\": element " << parents_[e]
                  << " is folded where its edges follow the true surfaces: its Jacobian determinant "
                     "is "
                  << least.determinant << " mm^3 at (" << place[0] << ", " << place[1] << ", "
@@ -422,7 +432,7 @@ namespace vfife
   std::vector<std::vector<unsigned int>>
   FemSpace::points_on_face(const Part &part, const unsigned int element, const unsigned int f) const
   {
-    const RefinedMesh                     &mesh = *meshes_[&part - parts_.data()];
+    const RefinedMesh                     &mesh = *meshes_[index_of(parts_, part)];
     std::vector<std::vector<unsigned int>> faces;
     for (unsigned int e = mesh.first_of(element); e < mesh.first_of(element + 1); ++e)
       if ((mesh.elements()[e].faces >> f & 1u) != 0)
@@ -491,7 +501,7 @@ namespace vfife
     for (const unsigned int node : nodes)
       if (node < part.n_nodes)
         inside[part.first_point + node] = true;
-    const RefinedMesh &mesh = *meshes_[&part - parts_.data()];
+    const RefinedMesh &mesh = *meshes_[index_of(parts_, part)];
     if (degree() > 1 || mesh.is_refined())
       {
         const Body                  &body = model_->bodies[part.body];
@@ -508,7 +518,7 @@ namespace vfife
               faces.emplace_back(cell->active_cell_index(), f);
         if (mesh.is_refined())
           {
-            const auto       &point_of = point_of_vertex_[&part - parts_.data()];
+            const auto       &point_of = point_of_vertex_[index_of(parts_, part)];
             std::vector<bool> marked(point_of.size());
             for (std::size_t v = 0; v < marked.size(); ++v)
               marked[v] = inside[point_of[v]];

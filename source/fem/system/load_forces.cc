@@ -27,6 +27,25 @@ namespace vfife
       return faces;
     }
 
+    /** Areas [mm^2] of the points on faces of the body, integrals of the shape functions; those of
+     * other sectors than the space has are left out. */
+    std::map<unsigned int, double> point_areas(const FemSpace                  &space,
+                                               const FemSpace::Part            &part,
+                                               const std::vector<BoundaryFace> &faces)
+    {
+      std::map<unsigned int, double> areas;
+      for (const BoundaryFace &face : faces)
+        if (face.element < space.n_body_elements(part))
+          for (const auto &[points, X] : points_of_face(space, part, face))
+            for (const FacePoint &at : compute_face_points(X))
+              {
+                const double area = at.normal.norm();
+                for (std::size_t i = 0; i < points.size(); ++i)
+                  areas[points[i]] += area * at.N[i];
+              }
+      return areas;
+    }
+
     /** Masses [t] of the points, integrals of the density times the shape functions; of a point
      * between corners the part of those that are among the nodes. */
     PointShares point_masses(const std::vector<unsigned int> &nodes,
@@ -112,27 +131,18 @@ namespace vfife
                                                     const Body           &body,
                                                     const FemSpace::Part &part)
     {
+      std::map<unsigned int, double> areas =
+        point_areas(space, part, find_boundary_faces(body, torque.nodes));
       // What an image takes, its original takes from the sector before.
-      const std::map<unsigned int, unsigned int> originals(space.images().begin(),
-                                                           space.images().end());
-      std::map<unsigned int, double>             areas;
-      double                                     moment = 0;
-      for (const BoundaryFace &face : find_boundary_faces(body, torque.nodes))
-        {
-          if (face.element >= space.n_body_elements(part))
-            continue; // of another sector
-          for (const auto &[points, X] : points_of_face(space, part, face))
-            {
-              for (const FacePoint &at : compute_face_points(X))
-                for (std::size_t i = 0; i < points.size(); ++i)
-                  {
-                    const double area  = at.normal.norm() * at.N[i];
-                    const auto   image = originals.find(points[i]);
-                    areas[image == originals.end() ? points[i] : image->second] += area;
-                    moment += area * tangent_at(space, body, points[i]).norm();
-                  }
-            }
-        }
+      for (const auto &[image, original] : space.images())
+        if (const auto found = areas.find(image); found != areas.end())
+          {
+            areas[original] += found->second;
+            areas.erase(found);
+          }
+      double moment = 0;
+      for (const auto &[point, area] : areas)
+        moment += area * tangent_at(space, body, point).norm();
       const double n_parts = static_cast<double>(body.n_elements()) / space.n_body_elements(part);
       for (auto &share : areas)
         share.second /= n_parts * moment;
@@ -157,20 +167,10 @@ namespace vfife
           shares.emplace_back(part.first_point + nodes[i], nodal[i]);
         return shares;
       }
-    // The integrals of the shape functions over all faces, which share points.
-    double                         sum = 0;
-    std::map<unsigned int, double> of_points;
-    for (const BoundaryFace &face : faces)
-      {
-        for (const auto &[points, X] : points_of_face(space, part, face))
-          for (const FacePoint &at : compute_face_points(X))
-            {
-              const double area = at.normal.norm();
-              for (std::size_t i = 0; i < points.size(); ++i)
-                of_points[points[i]] += area * at.N[i];
-              sum += area;
-            }
-      }
+    std::map<unsigned int, double> of_points = point_areas(space, part, faces);
+    double                         sum       = 0;
+    for (const auto &share : of_points)
+      sum += share.second;
     for (auto &share : of_points)
       share.second /= sum;
     return PointShares(of_points.begin(), of_points.end());

@@ -30,15 +30,13 @@ namespace vfife
     /** The nodes of a set or surface, sorted; none where the body has neither. */
     std::vector<unsigned int> nodes_of(const Body &body, const std::string &name)
     {
-      const BodyMesh &mesh  = body.mesh();
-      const auto      found = mesh.node_sets.find(name);
-      if (found != mesh.node_sets.end())
-        return found->second;
+      if (body.has_node_set(name))
+        return body.node_set(name);
+      const BodyMesh        &mesh    = body.mesh();
+      const auto             surface = mesh.surfaces.find(mesh.find_spelling(name));
       std::set<unsigned int> nodes;
-      const auto             surface = mesh.surfaces.find(name);
       if (surface != mesh.surfaces.end())
-        for (const auto &face : faces_of(surface->second))
-          nodes.insert(face.begin(), face.end());
+        nodes.insert(surface->second.nodes.begin(), surface->second.nodes.end());
       return {nodes.begin(), nodes.end()};
     }
 

@@ -286,6 +286,14 @@ namespace vfife
     std::vector<double> u(3 * static_cast<std::size_t>(space.n_points()), 0.);
     for (const auto &[p, constraints] : find_point_constraints(space))
       Eigen::Map<Vector3>(u.data() + 3 * std::size_t(p)) = constraints.compute_displacement(factor);
+    // What hangs moves as its masters do, also where it is not among the constrained points.
+    for (const auto &[point, masters] : space.hanging())
+      {
+        Eigen::Map<Vector3> own(u.data() + 3 * std::size_t(point));
+        own.setZero();
+        for (const auto &[master, weight] : masters)
+          own += weight * Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(master));
+      }
     return u;
   }
 } // namespace vfife

@@ -11,9 +11,9 @@ namespace vfife
 {
   /**
    * Adds a load of the model times @p factor to forces at all points (3 a point) [N]: the nodal
-   * forces of explicit dynamics in the undeformed places; of quadratic elements, constant tractions
-   * on the faces at all their points, body forces at the corners. Springs add nothing. Throws
-   * InputError for a load that its nodes cannot carry.
+   * forces of explicit dynamics in the undeformed places; of degree 2 and 3 and of divided
+   * elements, integrals of tractions and body forces with the shape functions. Springs add nothing.
+   * Throws InputError for a load that its nodes cannot carry.
    */
   void add_load_forces(const Load           &load,
                        const FemSpace       &space,

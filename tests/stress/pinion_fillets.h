@@ -1,0 +1,45 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_tests_stress_pinion_fillets_h
+#define vfife_tests_stress_pinion_fillets_h
+
+#include "../tests.h"
+
+#include <vfife/mesh/node_set_names.h>
+#include <vfife/model/model.h>
+#include <vfife/output/measures/root_stress.h>
+
+/** Largest stresses of a fillet [MPa]. */
+struct RootStresses
+{
+  double tension = 0, compression = 0;
+};
+
+/** Both fillets of all teeth of the body 0. */
+inline std::deque<vfife::MemberFillet> list_fillets(const vfife::Body &body)
+{
+  std::deque<vfife::MemberFillet> fillets;
+  for (const char *side : {vfife::surface_name::concave, vfife::surface_name::convex})
+    fillets.push_back({0, vfife::Fillet(body, side)});
+  return fillets;
+}
+
+/** Of both fillets of tooth 0. */
+inline RootStresses find_largest(const std::deque<vfife::MemberFillet> &fillets,
+                                 const vfife::FilletStrains            &strains)
+{
+  using namespace vfife;
+  RootStresses found;
+  for (const MemberFillet &member : fillets)
+    for (unsigned int column = 0; column < member.fillet.n_columns(); ++column)
+      for (unsigned int row = Fillet::first_row; row < member.fillet.end_row(); ++row)
+        {
+          const PrincipalStresses stress =
+            compute_principal_stresses(compute_surface_stress(strains.facet(member, column, row, 0),
+                                                              member.fillet.material()));
+          found.tension     = largest_of(found.tension, stress.first);
+          found.compression = -largest_of(-found.compression, -stress.third);
+        }
+  return found;
+}
+
+#endif
