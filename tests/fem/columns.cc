@@ -15,11 +15,10 @@ using namespace vfife;
 
 namespace
 {
-  void traits(const Assembly &assembly, const SparseMatrix &K)
+  void traits(const Communicator &communicator, const std::size_t n_rows, const SparseMatrix &K)
   {
-    const auto out = Teuchos::rcp(new Anasazi::BasicOutputManager<double>(Anasazi::Warnings));
-    const auto x =
-      Teuchos::rcp(new Columns(assembly.communicator(), assembly.pattern().n_rows(), 3));
+    const auto out    = Teuchos::rcp(new Anasazi::BasicOutputManager<double>(Anasazi::Warnings));
+    const auto x      = Teuchos::rcp(new Columns(communicator, n_rows, 3));
     const auto matrix = Teuchos::rcpFromRef<const ColumnOperator>(K);
     check("Anasazi's test of vectors", Anasazi::TestMultiVecTraits<double, Columns>(out, x));
     check("Anasazi's test of operators",
@@ -68,20 +67,19 @@ int main(int argc, char **argv)
   std::vector<std::vector<double>> images;
   for (const Communicator *const ranks : {&alone, &world})
     {
-      const Assembly       assembly(d, {}, *ranks);
-      const SystemMatrices matrices(assembly, MassKind::consistent, StrainMeasure::biot);
-      const SparseMatrix   K(assembly, matrices.stiffness(constant_rate(0.)));
-      const OwnedVector    q     = assembly.restrict_field(u);
-      const auto           field = assembly.expand(q);
+      const FemSystem      system(d, {}, *ranks);
+      const SystemMatrices matrices(system, MassKind::consistent, StrainMeasure::biot);
+      const SparseMatrix   K(matrices.stiffness(constant_rate(0.)));
+      const OwnedVector    q     = system.restrict_field(u);
+      const auto           field = system.expand(q);
       if (ranks == &alone)
-        images.push_back(
-          assembly.expand(assembly.vector([&](const unsigned int e) -> Eigen::VectorXd {
-            return compute_fem_stiffness(d.element_nodes(e), d.material(e), d.element()) *
-                   d.gather(e, field);
-          })));
-      images.push_back(assembly.expand(K.apply(q)));
+        images.push_back(system.expand(system.vector([&](const unsigned int e) -> Eigen::VectorXd {
+          return compute_fem_stiffness(d.element_nodes(e), d.material(e), d.element()) *
+                 d.gather(e, field);
+        })));
+      images.push_back(system.expand(K.apply(q)));
       if (ranks == &world)
-        traits(assembly, K);
+        traits(world, q.size(), K);
     }
   // Round-off of sums of some hundred terms.
   check_below("product against forces of elements", distance(images[0], images[1]), 1e-13);

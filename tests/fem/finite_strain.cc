@@ -234,8 +234,8 @@ namespace
     const ModesAtSpeed at_rest = rotating.find_modes(0.), spun = rotating.find_modes(rate);
 
     const FemSpace       &d = rotating.space();
-    const Assembly        assembly(d, {}, communicator);
-    const ModalSolver     solver(assembly, options);
+    const FemSystem       system(d, {}, communicator);
+    const ModalSolver     solver(system, options);
     const SystemMatrices &matrices = solver.matrices();
     const auto nodes = [&d](const unsigned int e) -> HexahedronNodes { return d.element_nodes(e); };
     const auto stiffness = [&](const unsigned int e) {
@@ -244,7 +244,7 @@ namespace
                                StiffnessKind::incompatible_modes);
     };
     const auto tangent = [&](const std::vector<double> &u) {
-      return add_scaled(assembly.matrix([&](const unsigned int e) {
+      return add_scaled(system.matrix([&](const unsigned int e) {
         return turned_stiffness(nodes(e), stiffness(e), d.gather(e, u));
       }),
                         -1.,
@@ -255,7 +255,7 @@ namespace
       {
         // Omega^2 S (X + u) - f(u), with the turned elements' f.
         OwnedVector q = matrices.spinning_residual(u, rates, true);
-        q             = add_scaled(std::move(q), 1., assembly.vector([&](const unsigned int e) {
+        q             = add_scaled(std::move(q), 1., system.vector([&](const unsigned int e) {
           const Eigen::VectorXd v = d.gather(e, u);
           return Eigen::VectorXd(compute_element_state(d.element_nodes(e),
                                                        body.materials().front(),
@@ -266,9 +266,9 @@ namespace
                                    .forces -
                                  turned_forces(nodes(e), stiffness(e), v));
         }));
-        const DirectSolver factors(assembly.pattern(), tangent(u), communicator);
+        const DirectSolver factors(tangent(u));
         factors.solve(q.data(), 1);
-        u = add_scaled(std::move(u), 1., assembly.expand(q));
+        u = add_scaled(std::move(u), 1., system.expand(q));
       }
     const ModalResult reference = solver.solve(tangent(u), matrices.mass(), 0.);
     double            error     = 0;
@@ -304,22 +304,20 @@ namespace
     const auto           rates = [rate](unsigned int) { return rate; };
     const RotatingBody   rotating(model, 0, options, communicator);
     const FemSpace      &d = rotating.space();
-    const Assembly       assembly(d, {}, communicator);
-    const SystemMatrices matrices(assembly, options.mass, options.strain);
+    const FemSystem      system(d, {}, communicator);
+    const SystemMatrices matrices(system, options.mass, options.strain);
     const auto           u = rotating.find_equilibrium(rate);
     std::vector<double>  turn(u.size());
     for (unsigned int p = 0; p < d.n_points(); ++p)
       Eigen::Map<Vector3>(turn.data() + 3 * p) =
         Vector3::UnitZ().cross(d.points()[p] + Eigen::Map<const Vector3>(u.data() + 3 * p));
-    const OwnedVector  q = assembly.restrict_field(turn);
-    const SparseMatrix K(assembly, matrices.spinning_stiffness(u, rates)),
-      S(assembly, matrices.spin_mass(rates));
+    const OwnedVector  q = system.restrict_field(turn);
+    const SparseMatrix K(matrices.spinning_stiffness(u, rates)), S(matrices.spin_mass(rates));
     check_below("a hub's turn in spin",
                 K.project({q}, {q})(0, 0) / S.project({q}, {q})(0, 0),
                 1e-8);
     check_below("forces of a hub's turn in spin",
-                std::sqrt(assembly.dot(K.apply(q), K.apply(q)) /
-                          assembly.dot(S.apply(q), S.apply(q))),
+                std::sqrt(system.dot(K.apply(q), K.apply(q)) / system.dot(S.apply(q), S.apply(q))),
                 1e-6);
   }
 } // namespace

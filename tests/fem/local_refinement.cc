@@ -45,9 +45,9 @@ namespace
                   const FemSpaceOptions &options,
                   const Communicator    &communicator)
   {
-    const FemSpace space(model, {0}, options);
-    const FemSpace coarse(model, {0}, options.element);
-    const Assembly assembly(space, {}, communicator);
+    const FemSpace  space(model, {0}, options);
+    const FemSpace  coarse(model, {0}, options.element);
+    const FemSystem system(space, {}, communicator);
     check(name + ": some elements are divided, and some points hang",
           space.n_elements() > coarse.n_elements() && !space.hanging().empty());
     std::vector<unsigned int> all(model.bodies[0].n_nodes());
@@ -83,11 +83,11 @@ namespace
                                Vector3(forces[3 * p], forces[3 * p + 1], forces[3 * p + 2]).norm());
         check_below(name + ": forces, over the products that cancel", worst / scale, 1e-14);
         // What is assembled is the same.
-        const OwnedVector own = assembly.vector([&](const unsigned int e) -> Eigen::VectorXd {
+        const OwnedVector         own = system.vector([&](const unsigned int e) -> Eigen::VectorXd {
           return compute_fem_stiffness(space.element_nodes(e), space.material(e), options.element) *
                  space.gather(e, u);
         });
-        const std::vector<double> expanded = assembly.expand(own);
+        const std::vector<double> expanded = system.expand(own);
         double                    apart    = 0;
         for (unsigned int p = 0; p < space.n_points(); ++p)
           if (space.hanging().count(p) == 0)

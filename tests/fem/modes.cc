@@ -18,11 +18,11 @@ namespace
 {
   ModalResult solve(const Model &model, const FemOptions &options, const Communicator &communicator)
   {
-    const FemSpace    d(model, {0}, options.element);
-    Unknowns::Options unknowns;
-    unknowns.padded = ModalSolver::needs_padding(options);
-    const Assembly assembly(d, unknowns, communicator);
-    return ModalSolver(assembly, options).solve();
+    const FemSpace          d(model, {0}, options.element);
+    FemConstraints::Options constraints;
+    constraints.padded = ModalSolver::needs_padding(options);
+    const FemSystem system(d, constraints, communicator);
+    return ModalSolver(system, options).solve();
   }
 
   Model make_plate(const std::array<unsigned int, 3> &counts)
@@ -156,10 +156,10 @@ namespace
     options.element = element;
     options.n_modes = 10;
     const FemSpace    d(model, {0}, element);
-    const Assembly    assembly(d, {}, communicator);
-    const ModalSolver solver(assembly, options);
-    SparseValues      K        = solver.matrices().stiffness(constant_rate(0.));
-    const OwnedVector diagonal = assembly.diagonal(K);
+    const FemSystem   system(d, {}, communicator);
+    const ModalSolver solver(system, options);
+    FemMatrix         K        = solver.matrices().stiffness(constant_rate(0.));
+    const OwnedVector diagonal = K.diagonal();
     const double      spring   = 1e3 * *std::max_element(diagonal.begin(), diagonal.end());
     std::vector<std::pair<unsigned int, Matrix3>> springs;
     for (unsigned int p = 0; p < d.n_points(); ++p)
@@ -169,7 +169,7 @@ namespace
         if (x[2] < 1e-6 && on_edge)
           springs.emplace_back(p, spring * Vector3::UnitZ() * Vector3::UnitZ().transpose());
       }
-    K = add_scaled(std::move(K), 1., assembly.point_matrix(springs));
+    K = add_scaled(std::move(K), 1., system.point_matrix(springs));
     // The springs hold one translation and two rotations.
     const auto        rigid = make_rigid_motions(d, d.parts()[0], Vector3(5e3, 5e3, 0.));
     const ModalResult result =

@@ -68,20 +68,20 @@ namespace
    */
   void patch_test(const FemElement element, const Communicator &communicator)
   {
-    const Model    model = make_block_model(3, .15, {});
-    const FemSpace d(model, {0}, element);
-    const Assembly assembly(d, {}, communicator);
-    Matrix3        gradient;
+    const Model     model = make_block_model(3, .15, {});
+    const FemSpace  d(model, {0}, element);
+    const FemSystem system(d, {}, communicator);
+    Matrix3         gradient;
     gradient << 1e-3, 2e-4, -3e-4, 5e-4, -4e-4, 1e-4, 2e-4, 6e-4, 7e-4;
     std::vector<double> u;
     for (const Vector3 &x : d.points())
       for (unsigned int c = 0; c < 3; ++c)
         u.push_back(gradient.row(c).dot(x));
 
-    const OwnedVector         own = assembly.vector([&](const unsigned int e) -> Eigen::VectorXd {
+    const OwnedVector         own    = system.vector([&](const unsigned int e) -> Eigen::VectorXd {
       return compute_fem_stiffness(d.element_nodes(e), d.material(e), element) * d.gather(e, u);
     });
-    const std::vector<double> forces = assembly.expand(own);
+    const std::vector<double> forces = system.expand(own);
     double                    inner = 0, largest = 0;
     for (unsigned int p = 0; p < d.n_points(); ++p)
       {
@@ -360,15 +360,15 @@ namespace
                    const Field        &field)
   {
     const FemSpace      d(model, {0}, element);
-    const Assembly      assembly(d, {}, communicator);
+    const FemSystem     system(d, {}, communicator);
     std::vector<double> u, applied(3 * d.n_points(), 0.);
     for (const Vector3 &x : d.points())
       for (unsigned int c = 0; c < 3; ++c)
         u.push_back(field(x)[c]);
-    const OwnedVector         own = assembly.vector([&](const unsigned int e) -> Eigen::VectorXd {
+    const OwnedVector         own    = system.vector([&](const unsigned int e) -> Eigen::VectorXd {
       return compute_fem_stiffness(d.element_nodes(e), d.material(e), element) * d.gather(e, u);
     });
-    const std::vector<double> forces = assembly.expand(own);
+    const std::vector<double> forces = system.expand(own);
     add_load_forces(load, d, d.parts().front(), 1., applied);
     double difference = 0, largest = 0;
     for (unsigned int p = 0; p < d.n_points(); ++p)

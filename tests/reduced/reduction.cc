@@ -41,8 +41,8 @@ namespace
       , fem_(fem)
       , communicator_(communicator)
       , space_(loose, {0}, fem.element)
-      , assembly_(space_, {}, communicator)
-      , matrices_(assembly_, fem.mass, fem.strain)
+      , system_(space_, {}, communicator)
+      , matrices_(system_, fem.mass, fem.strain)
       , compliance_(model, fem, model.bodies[0].rate != 0, communicator, Factorized::bodies)
       , turn_(3 * std::size_t(body().n_nodes()))
     {
@@ -65,7 +65,7 @@ namespace
     /** M u, 3 a node. */
     Field momentum(const Field &u) const
     {
-      return assembly_.expand(matrices_.apply_mass(u));
+      return system_.expand(matrices_.apply_mass(u));
     }
     /** Angular momentum of displacements about the axis, over the largest they could have. */
     double turn_of(const Field &u) const
@@ -101,11 +101,11 @@ namespace
     }
     ModalResult modes(const unsigned int n) const
     {
-      const FemSpace held(model_, {0}, fem_.element);
-      const Assembly assembly(held, {}, communicator_);
-      FemOptions     options = fem_;
-      options.n_modes        = n;
-      const ModalSolver solver(assembly, options);
+      const FemSpace  held(model_, {0}, fem_.element);
+      const FemSystem system(held, {}, communicator_);
+      FemOptions      options = fem_;
+      options.n_modes         = n;
+      const ModalSolver solver(system, options);
       const double      rate = body().rate;
       // Spin softens what hangs in bearings.
       const double lowest = body().floats ? -rate * rate : turns_ ? -1e-3 * rate * rate : 0.;
@@ -128,7 +128,7 @@ namespace
     FemOptions          fem_;
     const Communicator &communicator_;
     FemSpace            space_;
-    Assembly            assembly_;
+    FemSystem           system_;
     SystemMatrices      matrices_;
     Compliance          compliance_;
     Field               turn_, momentum_;

@@ -136,17 +136,17 @@ namespace vfife
         sector().points()[p] + Eigen::Map<const Vector3>(spin_.data() + 3 * p) - axis.point);
     if (!turns_)
       return;
-    Unknowns::Options unknowns;
-    unknowns.rotation = HubRotation::free;
-    const Assembly       assembly(sector(), unknowns, alone_);
-    const SystemMatrices matrices(assembly, options_.mass, options_.strain);
-    const OwnedVector    q     = assembly.restrict_field(rigid_turn_);
-    turn_                      = assembly.expand(q);
+    FemConstraints::Options constraints;
+    constraints.rotation = HubRotation::free;
+    const FemSystem      system(sector(), constraints, alone_);
+    const SystemMatrices matrices(system, options_.mass, options_.strain);
+    const OwnedVector    q     = system.restrict_field(rigid_turn_);
+    turn_                      = system.expand(q);
     const OwnedVector momentum = matrices.apply_mass(turn_);
-    const double      inertia  = assembly.dot(momentum, q);
+    const double      inertia  = system.dot(momentum, q);
     turn_inertia_              = n_sectors() * inertia;
     // The pinned hub has left a turn in the state of spin where sectors have no mirror plane.
-    const double angle = assembly.dot(momentum, assembly.restrict_field(spin_)) / inertia;
+    const double angle = system.dot(momentum, system.restrict_field(spin_)) / inertia;
     spin_              = add_scaled(std::move(spin_), -angle, turn_);
   }
 

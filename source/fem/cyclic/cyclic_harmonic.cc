@@ -18,9 +18,9 @@ namespace vfife
 {
   namespace
   {
-    Unknowns::Options options_of(const unsigned int harmonic, const HubRotation rotation)
+    FemConstraints::Options options_of(const unsigned int harmonic, const HubRotation rotation)
     {
-      Unknowns::Options options;
+      FemConstraints::Options options;
       options.harmonic = harmonic;
       options.rotation = rotation;
       return options;
@@ -40,32 +40,31 @@ namespace vfife
     }
 
     /** The unknowns of -i z. */
-    OwnedVector turn_back_by_quarter(const Assembly &assembly, const OwnedVector &q)
+    OwnedVector turn_back_by_quarter(const FemSystem &system, const OwnedVector &q)
     {
-      const std::vector<double> u = assembly.expand(q);
+      const std::vector<double> u = system.expand(q);
       const std::size_t         n = u.size() / 2;
       std::vector<double>       turned(u.begin() + n, u.end());
       for (std::size_t i = 0; i < n; ++i)
         turned.push_back(-u[i]);
-      return assembly.restrict_field(turned);
+      return system.restrict_field(turned);
     }
 
     /** Phasors z_j^H A z_l of a real basis. */
     class PhasorProducts
     {
     public:
-      PhasorProducts(const Assembly &assembly, const std::vector<OwnedVector> &vectors)
-        : assembly_(assembly)
-        , vectors_(vectors)
+      PhasorProducts(const FemSystem &system, const std::vector<OwnedVector> &vectors)
+        : vectors_(vectors)
       {
-        if (assembly.unknowns().n_copies() == 2)
+        if (system.constraints().n_copies() == 2)
           for (const OwnedVector &x : vectors)
-            turned_.push_back(turn_back_by_quarter(assembly, x));
+            turned_.push_back(turn_back_by_quarter(system, x));
       }
 
-      Eigen::MatrixXcd of(const SparseValues &A) const
+      Eigen::MatrixXcd of(const FemMatrix &A) const
       {
-        const SparseMatrix matrix(assembly_, A);
+        const SparseMatrix matrix(A);
         Eigen::MatrixXcd   products = matrix.project(vectors_, vectors_).cast<Complex>();
         if (!turned_.empty())
           // Im(z^H A w) = Re(z^H A (-i w))
@@ -74,7 +73,6 @@ namespace vfife
       }
 
     private:
-      const Assembly                 &assembly_;
       const std::vector<OwnedVector> &vectors_;
       std::vector<OwnedVector>        turned_;
     };
@@ -88,17 +86,17 @@ namespace vfife
   CyclicHarmonic::CyclicHarmonic(const CyclicBody &body, const unsigned int number)
     : body_(body)
     , number_(number)
-    , assembly_(body.sector(), options_of(number, body.rotation()), body.communicator())
-    , matrices_(assembly_, body.options().mass, body.options().strain)
+    , system_(body.sector(), options_of(number, body.rotation()), body.communicator())
+    , matrices_(system_, body.options().mass, body.options().strain)
     , K_(body.rate() != 0
            ? matrices_.spinning_stiffness(body.equilibrium(), constant_rate(body.rate()))
            : matrices_.stiffness(constant_rate(0.)))
     , M_(matrices_.mass())
   {
     if (number == 0 && body.turns())
-      pinned_ = std::make_unique<Assembly>(body.sector(),
-                                           options_of(0, HubRotation::pinned),
-                                           body.communicator());
+      pinned_ = std::make_unique<FemSystem>(body.sector(),
+                                            options_of(0, HubRotation::pinned),
+                                            body.communicator());
   }
 
   CyclicHarmonic::~CyclicHarmonic() = default;
@@ -107,7 +105,7 @@ namespace vfife
   {
     // All sectors together: the mean of cos^2 over them is one half, where they are not alike.
     const unsigned int n = body_.n_sectors();
-    return std::sqrt((assembly_.unknowns().n_copies() == 2 ? 2. : 1.) / n);
+    return std::sqrt((system_.constraints().n_copies() == 2 ? 2. : 1.) / n);
   }
 
   unsigned int CyclicHarmonic::count_modes(double &limit)
@@ -116,12 +114,10 @@ namespace vfife
     unsigned int n_below = 0;
     for (unsigned int attempt = 0; attempt < 3; ++attempt)
       {
-        const DirectSolver count(assembly_.pattern(),
-                                 add_scaled(K_, -limit, M_),
-                                 body_.communicator());
+        const DirectSolver count(add_scaled(K_, -limit, M_));
         n_below = count.n_negative();
         memory_ = std::max(memory_, count.memory());
-        if (n_below % assembly_.unknowns().n_copies() == 0)
+        if (n_below % system_.constraints().n_copies() == 0)
           break;
         limit *= 1. + 1e-7;
       }
@@ -135,12 +131,12 @@ namespace vfife
     const bool         with_turn = pinned_ != nullptr;
     if (n_below <= (with_turn ? 1u : 0u))
       return {};
-    const unsigned int most = ModalSolver::largest_number(assembly_.unknowns().n());
+    const unsigned int most = ModalSolver::largest_number(system_.constraints().n());
     if (n_below > most)
       throw InputError("body \"" + body_.body().name() + "\": its mesh has " +
                        std::to_string(n_below) + " modes of " + std::to_string(number_) +
                        " nodal diameters below the cut-off, too many for its " +
-                       std::to_string(assembly_.unknowns().n()) +
+                       std::to_string(system_.constraints().n()) +
                        " unknowns; lower the cut-off or refine the mesh");
 
     // As many of them as there are; where the search has missed one, more.
@@ -149,7 +145,7 @@ namespace vfife
     for (unsigned int attempt = 0; attempt < 3; ++attempt)
       {
         options.n_modes = std::min(most, n_below + 4 * attempt);
-        const ModalSolver solver(assembly_, options);
+        const ModalSolver solver(system_, options);
         // Round-off leaves the turn this much, spin takes it from shifts in bearings, as in
         // RotatingBody.
         const double lowest = body_.whirls(number_) ? -1. : with_turn ? -1e-3 : 0.;
@@ -166,7 +162,7 @@ namespace vfife
         // Phasors of them, each mode once.
         if (with_turn)
           return without_turn(std::move(found.vectors), eigenvalues);
-        if (assembly_.unknowns().n_copies() == 2)
+        if (system_.constraints().n_copies() == 2)
           return make_complex(found.vectors);
         return {Eigen::Map<Eigen::VectorXd>(eigenvalues.data(), n_below),
                 std::move(found.vectors),
@@ -182,7 +178,7 @@ namespace vfife
     // Each eigenvalue of the two copies is double, of z and i z, and the solver gives any two
     // vectors of their plane, or any four where two modes have one frequency. As phasors they span
     // half as many dimensions: the Hermitian products of all of them have the eigenvalues 2 and 0.
-    const PhasorProducts   products(assembly_, vectors);
+    const PhasorProducts   products(system_, vectors);
     const Eigen::MatrixXcd H = hermitian_part(products.of(M_)), K = hermitian_part(products.of(K_));
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> planes(H);
     const int                                             n      = vectors.size() / 2;
@@ -202,14 +198,14 @@ namespace vfife
   CyclicModes CyclicHarmonic::without_turn(std::vector<OwnedVector>   vectors,
                                            const std::vector<double> &eigenvalues) const
   {
-    const OwnedVector turn     = assembly_.restrict_field(body_.turn()),
+    const OwnedVector turn     = system_.restrict_field(body_.turn()),
                       momentum = matrices_.apply_mass(body_.turn());
-    const double inertia       = assembly_.dot(momentum, turn);
+    const double inertia       = system_.dot(momentum, turn);
     CyclicModes  modes;
     double       of_turn = 0;
     for (std::size_t k = 0; k < vectors.size(); ++k)
       {
-        const double part = assembly_.dot(momentum, vectors[k]);
+        const double part = system_.dot(momentum, vectors[k]);
         if (part * part > .5 * inertia)
           {
             of_turn += part * part / inertia;
@@ -226,32 +222,30 @@ namespace vfife
     return modes;
   }
 
-  Eigen::MatrixXcd CyclicHarmonic::project(const CyclicModes &modes, const SparseValues &A) const
+  Eigen::MatrixXcd CyclicHarmonic::project(const CyclicModes &modes, const FemMatrix &A) const
   {
-    return modes.combination.adjoint() * PhasorProducts(assembly_, modes.vectors).of(A) *
+    return modes.combination.adjoint() * PhasorProducts(system_, modes.vectors).of(A) *
            modes.combination / (scale() * scale());
   }
 
-  SparseValues CyclicHarmonic::coriolis() const
+  FemMatrix CyclicHarmonic::coriolis() const
   {
     return matrices_.gyroscopic(constant_rate(1.));
   }
 
-  SparseValues CyclicHarmonic::spin_stiffness(const std::vector<double> &equilibrium,
-                                              const double               rate) const
+  FemMatrix CyclicHarmonic::spin_stiffness(const std::vector<double> &equilibrium,
+                                           const double               rate) const
   {
     const double factor = 1. / (rate * rate - body_.rate() * body_.rate());
-    SparseValues change =
+    FemMatrix    change =
       add_scaled(matrices_.spinning_stiffness(equilibrium, constant_rate(rate)), -1., K_);
-    for (double &value : change)
-      value *= factor;
-    return change;
+    return change *= factor;
   }
 
   Eigen::MatrixXcd CyclicHarmonic::read(const CyclicModes            &modes,
                                         const std::vector<SectorRow> &rows) const
   {
-    return make_phasor_rows(assembly_, number_, rows) * as_matrix(modes.vectors).cast<Complex>() *
+    return make_phasor_rows(system_, number_, rows) * as_matrix(modes.vectors).cast<Complex>() *
            modes.combination;
   }
 } // namespace vfife

@@ -22,7 +22,7 @@ namespace vfife
   {
     if (factors_)
       return;
-    SparseValues K = K_;
+    FemMatrix K = K_;
     if (pinned_)
       {
         // The pinned hub loses an unknown: its matrix is made anew.
@@ -36,7 +36,7 @@ namespace vfife
         const OwnedVector momentum = pinned.apply_mass(body_.turn());
         momentum_ = Eigen::Map<const Eigen::VectorXd>(momentum.data(), momentum.size());
       }
-    factors_ = std::make_unique<DirectSolver>(static_assembly().pattern(), K, body_.communicator());
+    factors_ = std::make_unique<DirectSolver>(K);
     memory_  = std::max(memory_, factors_->memory());
     // Shifts and tilts may be faster than their bearings allow: two of each, in two copies.
     const unsigned int n_whirls = body_.whirls(number_) ? 4 : 0;
@@ -65,9 +65,9 @@ namespace vfife
                                            const std::vector<SectorRow> &rows)
   {
     factorize();
-    const PhasorRows reads = make_phasor_rows(static_assembly(), number_, rows);
+    const PhasorRows reads = make_phasor_rows(static_system(), number_, rows);
     const Eigen::SparseMatrix<double, Eigen::RowMajor> along =
-      make_phasor_rows(static_assembly(), number_, forces).real();
+      make_phasor_rows(static_system(), number_, forces).real();
     const Eigen::SparseMatrix<double> loads = along.transpose();
     const Eigen::VectorXd             turn = read_turn(rows), moments = read_turn(forces);
     Eigen::MatrixXcd                  answers(rows.size(), forces.size());
@@ -95,19 +95,19 @@ namespace vfife
                                          const std::vector<SectorRow> &rows)
   {
     factorize();
-    const OwnedVector load = static_assembly().restrict_forces(forces);
+    const OwnedVector load = static_system().restrict_forces(forces);
     Eigen::MatrixXd   q    = Eigen::Map<const Eigen::VectorXd>(load.data(), load.size());
     const double      moment =
       std::inner_product(forces.begin(), forces.end(), body_.turn().begin(), 0.);
     solve(q, Eigen::VectorXd::Constant(1, moment));
-    return (make_phasor_rows(static_assembly(), number_, rows) * q.cast<Complex>()).real() -
+    return (make_phasor_rows(static_system(), number_, rows) * q.cast<Complex>()).real() -
            read_turn(rows) * turn_in(q);
   }
 
   Eigen::VectorXd CyclicHarmonic::modal_forces(const CyclicModes         &modes,
                                                const std::vector<double> &forces) const
   {
-    const OwnedVector load = assembly_.restrict_forces(forces);
+    const OwnedVector load = system_.restrict_forces(forces);
     return body_.n_sectors() * product(modes, load);
   }
 
@@ -126,14 +126,13 @@ namespace vfife
     const OwnedVector inertia = matrices_.apply_mass(body_.rigid_turn());
     Eigen::MatrixXd   q       = -Eigen::Map<const Eigen::VectorXd>(inertia.data(), inertia.size());
     solve(q, Eigen::VectorXd::Zero(1));
-    return (make_phasor_rows(assembly_, number_, rows) * q.cast<Complex>()).real();
+    return (make_phasor_rows(system_, number_, rows) * q.cast<Complex>()).real();
   }
 
   Eigen::VectorXd CyclicHarmonic::turn_coriolis(const CyclicModes &modes) const
   {
     // r^T G z = -(G r)^T z
-    const OwnedVector Gr =
-      SparseMatrix(assembly_, coriolis()).apply(assembly_.restrict_field(body_.turn()));
+    const OwnedVector Gr = SparseMatrix(coriolis()).apply(system_.restrict_field(body_.turn()));
     return -1. * body_.n_sectors() * product(modes, Gr);
   }
 
@@ -141,7 +140,7 @@ namespace vfife
   {
     Eigen::VectorXd products(modes.vectors.size());
     for (std::size_t k = 0; k < modes.vectors.size(); ++k)
-      products[k] = assembly_.dot(modes.vectors[k], load);
+      products[k] = system_.dot(modes.vectors[k], load);
     return modes.combination.real().transpose() * products;
   }
 } // namespace vfife

@@ -23,10 +23,10 @@ namespace vfife
     , communicator_(communicator)
   {
     find_hub(whole.model(), part.body);
-    Unknowns::Options unknowns;
-    unknowns.open     = true;
-    unknowns.rotation = hub_;
-    sector_           = std::make_unique<Assembly>(body_.sector(), unknowns, body_.communicator());
+    FemConstraints::Options constraints;
+    constraints.open     = true;
+    constraints.rotation = hub_;
+    sector_ = std::make_unique<FemSystem>(body_.sector(), constraints, body_.communicator());
     factorize();
     if (pinned_)
       find_pin();
@@ -56,7 +56,7 @@ namespace vfife
 
   std::vector<unsigned int> CyclicStatics::find_border() const
   {
-    const Unknowns           &unknowns = sector_->unknowns();
+    const FemConstraints     &constraints = sector_->constraints();
     std::vector<unsigned int> border[2];
     for (const auto &[image, original] : body_.sector().images())
       // A point that hangs moves with others of its border.
@@ -65,10 +65,9 @@ namespace vfife
           std::set<unsigned int> own;
           if (body_.sector().hanging().count(point) != 0)
             continue;
-          for (const auto *t = unknowns.begin(3 * std::size_t(point));
-               t != unknowns.end(3 * std::size_t(point) + 2);
-               ++t)
-            own.insert(t->unknown);
+          for (unsigned int c = 0; c < 3; ++c)
+            for (const auto &term : constraints.line(3 * std::size_t(point) + c))
+              own.insert(term.first);
           border[side].insert(border[side].end(), own.begin(), own.end());
         }
     border[0].insert(border[0].end(), border[1].begin(), border[1].end());
@@ -80,12 +79,10 @@ namespace vfife
     const SystemMatrices matrices(*sector_, body_.options().mass, body_.options().strain);
     const double         rate = body_.rate();
     condensed_ =
-      std::make_unique<Condensation>(sector_->pattern(),
-                                     rate != 0 ? matrices.spinning_stiffness(body_.equilibrium(),
+      std::make_unique<Condensation>(rate != 0 ? matrices.spinning_stiffness(body_.equilibrium(),
                                                                              constant_rate(rate))
                                                : matrices.stiffness(constant_rate(0.)),
-                                     find_border(),
-                                     body_.communicator());
+                                     find_border());
     const Eigen::MatrixXd &S = condensed_->border_matrix();
     n_border_                = S.rows() / 2;
     if (pinned_)
@@ -163,7 +160,7 @@ namespace vfife
 
     const Eigen::VectorXd turn   = turn_of_border();
     const auto            border = find_border();
-    Eigen::MatrixXd       b      = Eigen::MatrixXd::Zero(sector_->unknowns().n(), n_sectors);
+    Eigen::MatrixXd       b      = Eigen::MatrixXd::Zero(sector_->constraints().n(), n_sectors);
     for (unsigned int i = 0; i < n_border_; ++i)
       b.row(border[i]).setConstant(turn[i]);
     const Eigen::MatrixXd     Ab      = solve_sectors(b);
@@ -181,7 +178,7 @@ namespace vfife
 
   unsigned int CyclicStatics::n_unknowns() const
   {
-    return body_.n_sectors() * (sector_->unknowns().n() - n_border_) - (pinned_ ? 1 : 0);
+    return body_.n_sectors() * (sector_->constraints().n() - n_border_) - (pinned_ ? 1 : 0);
   }
 
   double CyclicStatics::memory() const

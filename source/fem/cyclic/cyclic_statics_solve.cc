@@ -55,7 +55,7 @@ namespace vfife
   {
     // Forces of each sector in the axes of sector 0; none on the images of the next one's.
     std::vector<double> at_points(3 * std::size_t(body_.sector().n_points()), 0.);
-    Eigen::MatrixXd     x(sector_->unknowns().n(), body_.n_sectors());
+    Eigen::MatrixXd     x(sector_->constraints().n(), body_.n_sectors());
     for (unsigned int k = 0; k < body_.n_sectors(); ++k)
       {
         const Matrix3 back = turned(k).transpose();
@@ -112,7 +112,7 @@ namespace vfife
     // 2. Unit forces at these points: what the sector does with its borders held, and the loads on
     // them. The transpose of these is what the points do as the borders move.
     const unsigned int  m = 3 * locals_.size();
-    Eigen::MatrixXd     x(sector_->unknowns().n(), m), loads;
+    Eigen::MatrixXd     x(sector_->constraints().n(), m), loads;
     std::vector<double> unit(3 * std::size_t(body_.sector().n_points()), 0.);
     for (unsigned int i = 0; i < m; ++i)
       {

@@ -13,7 +13,7 @@ namespace vfife
 
   /** What the rows read of a harmonic's unknowns: phasors. The real part, transposed, are unit
    * forces along the rows, the same in all sectors but for the phase. */
-  PhasorRows make_phasor_rows(const Assembly               &assembly,
+  PhasorRows make_phasor_rows(const FemSystem              &system,
                               unsigned int                  harmonic,
                               const std::vector<SectorRow> &rows);
 } // namespace vfife

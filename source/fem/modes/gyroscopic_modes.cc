@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/complex.h>
 #include <vfife/base/errors.h>
+#include <vfife/base/process/communicator.h>
 #include <vfife/base/types.h>
 #include <vfife/fem/modes/gyroscopic_modes.h>
 #include <vfife/fem/modes/mass_basis.h>
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 namespace vfife
@@ -35,9 +37,9 @@ namespace vfife
                         const std::vector<OwnedVector> &modes,
                         const std::vector<OwnedVector> &rigid)
         : system_(system)
-        , K_(system.assembly, system.stiffness)
-        , M_(system.assembly, system.mass)
-        , C_(system.assembly, system.coriolis)
+        , K_(system.stiffness)
+        , M_(system.mass)
+        , C_(system.coriolis)
         , basis_(M_)
         , rigid_(M_)
       {
@@ -134,13 +136,20 @@ namespace vfife
             rest_real[i] += -w * w * Mr[i] - 2. * w * Ci[i];
             rest_imaginary[i] += -w * w * Mi[i] + 2. * w * Cr[i];
           }
-        const Assembly &assembly = system_.assembly;
-        const auto      square   = [&](const OwnedVector &a, const OwnedVector &b) {
-          return assembly.dot(a, a) + assembly.dot(b, b);
+        // a . b + c . d on all ranks
+        const auto dots = [this](const OwnedVector &a,
+                                 const OwnedVector &b,
+                                 const OwnedVector &c,
+                                 const OwnedVector &d) {
+          return system_.mass.communicator().sum(
+            std::inner_product(a.begin(), a.end(), b.begin(), 0.) +
+            std::inner_product(c.begin(), c.end(), d.begin(), 0.));
         };
-        const double kinetic =
-          w * w * (assembly.dot(wave.real, Mr) + assembly.dot(wave.imaginary, Mi));
-        const double elastic  = assembly.dot(wave.real, Kr) + assembly.dot(wave.imaginary, Ki);
+        const auto square = [&](const OwnedVector &a, const OwnedVector &b) {
+          return dots(a, a, b, b);
+        };
+        const double kinetic  = w * w * dots(wave.real, Mr, wave.imaginary, Mi);
+        const double elastic  = dots(wave.real, Kr, wave.imaginary, Ki);
         wave.kinetic_share    = kinetic / (kinetic + elastic);
         const double in_space = w + std::abs(system_.rate);
         wave.residual         = std::sqrt(square(rest_real, rest_imaginary) / square(Mr, Mi)) /

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/fem/modes/mass_basis.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vfife

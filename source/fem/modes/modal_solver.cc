@@ -18,11 +18,6 @@ namespace vfife
     /** Modes beyond those asked for: among them the gap for counting is looked for, and a double
      * mode at the end is not cut in two. */
     constexpr unsigned int n_guards = 6;
-
-    SparseValues shifted(const SparseValues &K, const SparseValues &M, const double shift)
-    {
-      return add_scaled(K, -shift, M);
-    }
   } // namespace
 
   /** Pairs, and what was learnt while finding them. */
@@ -39,12 +34,12 @@ namespace vfife
     return std::copysign(std::sqrt(std::abs(eigenvalue)) / (2. * pi), eigenvalue);
   }
 
-  ModalSolver::ModalSolver(const Assembly &assembly, const FemOptions &options)
-    : assembly_(assembly)
+  ModalSolver::ModalSolver(const FemSystem &system, const FemOptions &options)
+    : system_(system)
     , options_(options)
-    , matrices_(assembly, options.mass, options.strain)
+    , matrices_(system, options.mass, options.strain)
   {
-    const unsigned int n = assembly.unknowns().n(), most = largest_number(n);
+    const unsigned int n = system.constraints().n(), most = largest_number(n);
     if (options.n_modes > most)
       throw InputError(
         "Fem/modes",
@@ -69,7 +64,7 @@ namespace vfife
 
   ModalResult ModalSolver::solve() const
   {
-    const FemSpace                  &d = assembly_.space();
+    const FemSpace                  &d = system_.space();
     std::vector<std::vector<double>> rigid;
     for (const FemSpace::Part &part : d.parts())
       for (std::vector<double> &motion : find_free_motions(d, part))
@@ -87,25 +82,24 @@ namespace vfife
     throw NumericalError(text.str());
   }
 
-  double
-  choose_shift(const Assembly &assembly, const SparseValues &stiffness, const SparseValues &mass)
+  double choose_shift(const FemMatrix &stiffness, const FemMatrix &mass)
   {
     // Padding has no mass and does not count.
-    const OwnedVector k = assembly.diagonal(stiffness), m = assembly.diagonal(mass);
+    const OwnedVector k = stiffness.diagonal(), m = mass.diagonal();
     double            largest = 0;
     for (std::size_t i = 0; i < k.size(); ++i)
       if (m[i] > 0)
         largest = std::max(largest, k[i] / m[i]);
-    return -1e-10 * assembly.communicator().max(largest);
+    return -1e-10 * mass.communicator().max(largest);
   }
 
-  ModalResult ModalSolver::solve(const SparseValues                     &stiffness,
-                                 const SparseValues                     &mass,
+  ModalResult ModalSolver::solve(const FemMatrix                        &stiffness,
+                                 const FemMatrix                        &mass,
                                  const double                            lowest,
                                  const std::vector<std::vector<double>> &rigid) const
   {
     // Below zero and below what spin may make of rigid motions: K - shift M is positive definite.
-    const double shift = choose_shift(assembly_, stiffness, mass) + 1.2 * std::min(lowest, 0.);
+    const double shift = choose_shift(stiffness, mass) + 1.2 * std::min(lowest, 0.);
     Found        found = options_.eigen_solver == EigenSolverKind::lobpcg
                            ? find_by_lobpcg(stiffness, mass, shift)
                            : find_by_factorization(stiffness, mass, shift);
@@ -117,20 +111,19 @@ namespace vfife
                          std::make_move_iterator(pairs.vectors.end()));
     pairs.values.resize(options_.n_modes);
     pairs.vectors.resize(options_.n_modes);
-    const std::vector<double> residuals =
-      compute_residuals(assembly_, stiffness, mass, pairs, shift);
+    const std::vector<double> residuals = compute_residuals(stiffness, mass, pairs, shift);
     check_orthogonality(mass, pairs.vectors);
 
-    const SparseMatrix M(assembly_, mass);
+    const SparseMatrix M(mass);
     MassBasis          free(M);
     for (const std::vector<double> &motion : rigid)
-      free.add(assembly_.restrict_field(motion));
+      free.add(system_.restrict_field(motion));
     for (unsigned int k = 0; k < options_.n_modes; ++k)
       {
         Mode mode;
         mode.eigenvalue = pairs.values[k];
         mode.residual   = residuals[k];
-        mode.shape      = assembly_.expand(pairs.vectors[k]);
+        mode.shape      = system_.expand(pairs.vectors[k]);
         mode.is_rigid   = free.share(pairs.vectors[k]) > .5;
         result.n_rigid += mode.is_rigid;
         check_residual(mode.residual, mode.frequency());
@@ -138,19 +131,19 @@ namespace vfife
       }
     result.rigid        = free.vectors();
     result.vectors      = std::move(pairs.vectors);
-    result.n_unknowns   = assembly_.unknowns().n();
+    result.n_unknowns   = system_.constraints().n();
     result.counted      = found.counted;
     result.n_iterations = pairs.n_iterations;
     result.memory       = found.memory;
     result.shift        = shift;
-    if (assembly_.unknowns().n_copies() == 1 && assembly_.space().sector_angle() == 0)
+    if (system_.constraints().n_copies() == 1 && system_.space().sector_angle() == 0)
       add_effective_masses(result);
     return result;
   }
 
-  ModalSolver::Found ModalSolver::find_by_factorization(const SparseValues &stiffness,
-                                                        const SparseValues &mass,
-                                                        const double        shift) const
+  ModalSolver::Found ModalSolver::find_by_factorization(const FemMatrix &stiffness,
+                                                        const FemMatrix &mass,
+                                                        const double     shift) const
   {
     Found        found;
     unsigned int n_wanted = options_.n_modes + n_guards;
@@ -158,15 +151,13 @@ namespace vfife
       {
         {
           // In a scope of its own: these factors are given back before those for counting are made.
-          const DirectSolver factors(assembly_.pattern(),
-                                     shifted(stiffness, mass, shift),
-                                     assembly_.communicator());
+          const DirectSolver factors(add_scaled(stiffness, -shift, mass));
           if (factors.n_negative() > 0)
             throw NumericalError("the body is not stable: " + std::to_string(factors.n_negative()) +
                                  " motions have a negative stiffness (speed too high)");
           found.memory = factors.memory();
           found.pairs =
-            solve_shift_invert(assembly_, mass, factors, shift, n_wanted, options_.eigen_tolerance);
+            solve_shift_invert(mass, factors, shift, n_wanted, options_.eigen_tolerance);
         }
         if (!options_.count_modes)
           return found;
@@ -177,9 +168,8 @@ namespace vfife
         for (unsigned int i = options_.n_modes; i < values.size(); ++i)
           if (values[i] - values[i - 1] > values[below] - values[below - 1])
             below = i;
-        const DirectSolver count(assembly_.pattern(),
-                                 shifted(stiffness, mass, .5 * (values[below] + values[below - 1])),
-                                 assembly_.communicator());
+        const DirectSolver count(
+          add_scaled(stiffness, -.5 * (values[below] + values[below - 1]), mass));
         // By Sylvester's law of inertia as many negative pivots as eigenvalues below the shift,
         // here in the gap behind mode "below": none was missed.
         if (count.n_negative() == below)
@@ -195,14 +185,12 @@ namespace vfife
   }
 
   ModalSolver::Found
-  ModalSolver::find_by_lobpcg(SparseValues stiffness, SparseValues mass, const double shift) const
+  ModalSolver::find_by_lobpcg(FemMatrix stiffness, const FemMatrix &mass, const double shift) const
   {
-    assembly_.set_padding(stiffness, assembly_.mean_diagonal(stiffness));
-    // Start vectors are zero at padding and nothing couples to it: any mass will do.
-    assembly_.set_padding(mass, assembly_.mean_diagonal(mass));
+    // Start vectors are zero at padding and nothing couples to it: it needs no mass.
+    system_.set_padding(stiffness, system_.mean_diagonal(stiffness));
     Found found;
-    found.pairs = solve_lobpcg(assembly_,
-                               stiffness,
+    found.pairs = solve_lobpcg(stiffness,
                                mass,
                                matrices_.near_kernel(),
                                shift,
@@ -211,10 +199,10 @@ namespace vfife
     return found;
   }
 
-  void ModalSolver::check_orthogonality(const SparseValues             &mass,
+  void ModalSolver::check_orthogonality(const FemMatrix                &mass,
                                         const std::vector<OwnedVector> &x) const
   {
-    const double defect = compute_orthogonality_defect(assembly_, mass, x);
+    const double defect = compute_orthogonality_defect(mass, x);
     if (!(defect < 1e-6))
       {
         std::ostringstream text;
@@ -225,7 +213,7 @@ namespace vfife
 
   void ModalSolver::add_effective_masses(ModalResult &result) const
   {
-    const FemSpace &d = assembly_.space();
+    const FemSpace &d = system_.space();
     for (const FemSpace::Part &part : d.parts())
       {
         // Bodies of one space add up: the base moves all of them.
@@ -236,7 +224,7 @@ namespace vfife
             const OwnedVector load = matrices_.apply_mass(rigid[r]);
             for (unsigned int k = 0; k < result.modes.size(); ++k)
               {
-                const double factor = assembly_.dot(load, result.vectors[k]);
+                const double factor = system_.dot(load, result.vectors[k]);
                 result.modes[k].effective_mass[r] += factor * factor;
               }
           }

@@ -155,10 +155,10 @@ namespace vfife
 
   std::vector<double> RotatingBody::find_equilibrium(const double rate) const
   {
-    Unknowns::Options options;
+    FemConstraints::Options options;
     options.rotation = options_.hold_hubs ? HubRotation::held : HubRotation::pinned;
-    const Assembly       assembly(space_, options, communicator_);
-    const SystemMatrices matrices(assembly, options_.mass, options_.strain);
+    const FemSystem      system(space_, options, communicator_);
+    const SystemMatrices matrices(system, options_.mass, options_.strain);
     const std::string    name = "body \"" + model_.bodies[body_].name() + "\" at " +
                              std::to_string(rate * 30. / pi) + " rpm has";
     const unsigned int n_free = count_free_motions();
@@ -169,18 +169,15 @@ namespace vfife
     // Nothing holds the body: where it is balanced, the load does no work on rigid motions, and a
     // weak bed of springs only keeps the factorization from dividing by zero.
     const double bed =
-      n_free > 0 ? -choose_shift(assembly, matrices.stiffness(constant_rate(rate)), matrices.mass())
-                 : 0.;
+      n_free > 0 ? -choose_shift(matrices.stiffness(constant_rate(rate)), matrices.mass()) : 0.;
     return find_spin_state(matrices,
                            constant_rate(rate),
                            true,
                            bed,
                            name,
-                           [&](const SparseValues &K) -> LinearSolve {
+                           [&](const FemMatrix &K) -> LinearSolve {
                              const auto solver =
-                               std::make_shared<DirectSolver>(assembly.pattern(),
-                                                              add_turn_pins(assembly, pinned, K),
-                                                              communicator_);
+                               std::make_shared<DirectSolver>(add_turn_pins(system, pinned, K));
                              // Spin softens what nothing holds: as many motions as are free may
                              // have a negative stiffness. On bearings, above a critical speed, so
                              // may others, which Coriolis forces keep stable; where the body is
@@ -238,7 +235,7 @@ namespace vfife
     return result;
   }
 
-  std::vector<std::vector<double>> RotatingBody::rigid_motions(const Assembly    &assembly,
+  std::vector<std::vector<double>> RotatingBody::rigid_motions(const FemSystem   &system,
                                                                const unsigned int harmonic) const
   {
     // Velocities at the body's axis and angular velocities that nothing opposes, a column each.
@@ -283,7 +280,7 @@ namespace vfife
         if (harmonic > 1 || part.norm() < 1e-8 * motion.norm())
           continue;
         list.push_back(field(part));
-        if (assembly.unknowns().n_copies() == 2)
+        if (system.constraints().n_copies() == 2)
           {
             const Vector3 z = compute_sector_axis(model_.bodies[body_]).direction;
             Vector6       quarter;
@@ -300,29 +297,29 @@ namespace vfife
                                     const unsigned int         harmonic,
                                     ModesAtSpeed              &result) const
   {
-    Unknowns::Options unknowns;
-    unknowns.padded   = ModalSolver::needs_padding(options_);
-    unknowns.harmonic = harmonic;
-    unknowns.rotation = options_.hold_hubs ? HubRotation::held : HubRotation::free;
-    const Assembly       assembly(space_, unknowns, communicator_);
-    const SystemMatrices matrices(assembly, options_.mass, options_.strain);
+    FemConstraints::Options constraints;
+    constraints.padded   = ModalSolver::needs_padding(options_);
+    constraints.harmonic = harmonic;
+    constraints.rotation = options_.hold_hubs ? HubRotation::held : HubRotation::free;
+    const FemSystem      system(space_, constraints, communicator_);
+    const SystemMatrices matrices(system, options_.mass, options_.strain);
     // About the equilibrium. Hubs that turn freely are not pinned: their rotation is a rigid mode.
-    const SparseValues K = !equilibrium.empty()
-                             ? matrices.spinning_stiffness(equilibrium, constant_rate(rate))
-                             : matrices.stiffness(constant_rate(0.));
-    const SparseValues M = matrices.mass();
+    const FemMatrix K = !equilibrium.empty()
+                          ? matrices.spinning_stiffness(equilibrium, constant_rate(rate))
+                          : matrices.stiffness(constant_rate(0.));
+    const FemMatrix M = matrices.mass();
     // Spin softens translations of a body that nothing holds, or soft bearings do, by this much;
     // the rotation of a hub, and of a shaft in bearings, is left with round-off.
     const bool         is_softened = count_free_motions() > 0 || model_.bodies[body_].floats;
     const double       lowest      = is_softened ? -rate * rate : -1e-3 * rate * rate;
-    const auto         rigid       = rigid_motions(assembly, harmonic);
+    const auto         rigid       = rigid_motions(system, harmonic);
     const bool         with_waves  = options_.coriolis && rate != 0;
-    const unsigned int most        = ModalSolver::largest_number(assembly.unknowns().n());
+    const unsigned int most        = ModalSolver::largest_number(system.constraints().n());
 
     FemOptions options = options_;
     for (unsigned int attempt = 0;; ++attempt)
       {
-        const ModalResult found = ModalSolver(assembly, options).solve(K, M, lowest, rigid);
+        const ModalResult found = ModalSolver(system, options).solve(K, M, lowest, rigid);
         ModesAtSpeed      part;
         bool              is_complete = true;
         if (with_waves)
@@ -374,21 +371,19 @@ namespace vfife
   bool RotatingBody::add_waves(const SystemMatrices &matrices,
                                const unsigned int    harmonic,
                                const double          rate,
-                               const SparseValues   &stiffness,
-                               const SparseValues   &mass,
+                               const FemMatrix      &stiffness,
+                               const FemMatrix      &mass,
                                const ModalResult    &found,
                                ModesAtSpeed         &result) const
   {
-    const Assembly          &assembly = matrices.assembly();
-    const DirectSolver       factors(assembly.pattern(),
-                               add_scaled(stiffness, -found.shift, mass),
-                               communicator_);
-    const SparseValues       coriolis = matrices.gyroscopic(constant_rate(rate));
+    const FemSystem         &system = matrices.system();
+    const DirectSolver       factors(add_scaled(stiffness, -found.shift, mass));
+    const FemMatrix          coriolis = matrices.gyroscopic(constant_rate(rate));
     std::vector<OwnedVector> modes    = found.vectors;
     modes.insert(modes.end(), found.guards.begin(), found.guards.end());
     const unsigned int n_rigid = found.rigid.size(), n_asked = options_.n_modes;
     const auto         waves =
-      find_gyroscopic_modes({assembly, stiffness, mass, coriolis, rate, factors, found.shift},
+      find_gyroscopic_modes({stiffness, mass, coriolis, rate, factors, found.shift},
                             modes,
                             found.rigid,
                             n_asked - std::min(n_asked, n_rigid));
@@ -398,8 +393,8 @@ namespace vfife
         entry.frequency               = wave.rate / (2. * pi);
         entry.residual                = wave.residual;
         entry.kinetic_share           = wave.kinetic_share;
-        entry.shape                   = node_shape(assembly.expand(wave.real), harmonic);
-        std::vector<double> imaginary = node_shape(assembly.expand(wave.imaginary), harmonic);
+        entry.shape                   = node_shape(system.expand(wave.real), harmonic);
+        std::vector<double> imaginary = node_shape(system.expand(wave.imaginary), harmonic);
         scale_to_one(entry.shape, imaginary);
         entry.description = describer_.describe(entry.shape, imaginary);
         // Waves are named by the sense of the spin, descriptions by that of the axis.

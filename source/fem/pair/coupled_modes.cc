@@ -26,9 +26,9 @@ namespace vfife
       return 2 * n + 10;
     }
 
-    Assembly::Links make_links(const std::vector<ContactTie> &ties)
+    FemSystem::Links make_links(const std::vector<ContactTie> &ties)
     {
-      Assembly::Links links;
+      FemSystem::Links links;
       for (const ContactTie &tie : ties)
         {
           links.emplace_back();
@@ -39,9 +39,9 @@ namespace vfife
     }
 
     /** sum k d d^T over the points under pressure. */
-    SparseValues make_contact(const Assembly &assembly, const std::vector<ContactTie> &ties)
+    FemMatrix make_contact(const FemSystem &system, const std::vector<ContactTie> &ties)
     {
-      return assembly.link_matrix([&](const unsigned int l) {
+      return system.link_matrix([&](const unsigned int l) {
         Eigen::VectorXd direction(3 * ties[l].points.size());
         for (std::size_t k = 0; k < ties[l].points.size(); ++k)
           direction.segment<3>(3 * k) = ties[l].points[k].second;
@@ -61,9 +61,9 @@ namespace vfife
     }
 
     /** Forces of a unit torque on the driven body, as the model's torques act. */
-    OwnedVector make_unit_torque(const Assembly &assembly)
+    OwnedVector make_unit_torque(const FemSystem &system)
     {
-      const FemSpace     &d = assembly.space();
+      const FemSpace     &d = system.space();
       const Model        &m = d.model();
       std::vector<double> forces(3 * static_cast<std::size_t>(d.n_points()), 0.);
       double              sum = 0;
@@ -73,7 +73,7 @@ namespace vfife
       for (const Torque &torque : m.torques)
         if (torque.body == m.transmission->driven)
           add_torque_forces(torque, d, *d.find_part(torque.body), torque.value / sum, forces);
-      return assembly.restrict_forces(forces);
+      return system.restrict_forces(forces);
     }
 
     /** Kinetic energies of both bodies and the motion of the driven one for a complex shape. */
@@ -142,20 +142,20 @@ namespace vfife
 
     /** The problem of standing shapes on the span of all modes found; @p more: what the rings'
      * stiffness is there beyond that of the modes. Collective. */
-    Reduced reduce(const Assembly        &assembly,
+    Reduced reduce(const FemSystem       &system,
                    const SystemMatrices  &matrices,
-                   const SparseValues    &mass,
+                   const FemMatrix       &mass,
                    const ModalResult     &found,
                    const Eigen::MatrixXd &more)
     {
-      const Model &model = assembly.space().model();
+      const Model &model = system.space().model();
       const auto   rate  = [&model](const unsigned int body) { return model.bodies[body].rate; };
-      const SparseMatrix M(assembly, mass), G(assembly, matrices.gyroscopic(rate));
+      const SparseMatrix M(mass), G(matrices.gyroscopic(rate));
       // P x of each mode x; P and G carry the rates of their bodies.
       std::vector<OwnedVector> turned;
       for (const Mode &mode : found.modes)
         turned.push_back(
-          assembly.restrict_field(apply_standing_derivative(assembly.space(), mode.shape)));
+          system.restrict_field(apply_standing_derivative(system.space(), mode.shape)));
       // In the basis x, M = 1 and x^T (K) x = diag(omega^2):
       //     q'' + skew q' + stiffness q = 0,   skew = 2 x^T (M P + G) x,
       //     stiffness = diag(omega^2) + x^T (M P^2 + 2 G P) x
@@ -168,15 +168,15 @@ namespace vfife
       for (std::size_t k = 0; k < x.size(); ++k)
         {
           stiffness(k, k) += found.modes[k].eigenvalue;
-          ways.col(k) = assembly.rings().displacement(found.modes[k].shape);
+          ways.col(k) = system.rings().displacement(found.modes[k].shape);
         }
       stiffness += ways.transpose() * more * ways;
       r.skew      = .5 * (skew - skew.transpose());
       r.stiffness = .5 * (stiffness + stiffness.transpose());
       r.load.resize(x.size());
-      const OwnedVector torque = make_unit_torque(assembly);
+      const OwnedVector torque = make_unit_torque(system);
       for (std::size_t k = 0; k < x.size(); ++k)
-        r.load[k] = assembly.dot(torque, x[k]);
+        r.load[k] = system.dot(torque, x[k]);
       return r;
     }
 
@@ -249,43 +249,43 @@ namespace vfife
                        "elements of eight nodes only; take incompatible modes or centrifugal = no");
     options.eigen_solver = EigenSolverKind::shift_invert;
     options.n_modes      = n_basis(n);
-    const Assembly     assembly(d, Unknowns::Options(), communicator, make_links(ties));
-    const unsigned int largest = ModalSolver::largest_number(assembly.unknowns().n());
+    const FemSystem    system(d, FemConstraints::Options(), communicator, make_links(ties));
+    const unsigned int largest = ModalSolver::largest_number(system.constraints().n());
     if (options.n_modes > largest)
       throw InputError("Loaded contact/coupled modes",
                        std::to_string(n) + " coupled modes are made of " +
                          std::to_string(options.n_modes) + " modes in turning axes, and " +
-                         std::to_string(assembly.unknowns().n()) + " unknowns have at most " +
+                         std::to_string(system.constraints().n()) + " unknowns have at most " +
                          std::to_string(largest) + "; ask for fewer modes or take a finer mesh");
-    const ModalSolver     solver(assembly, options);
+    const ModalSolver     solver(system, options);
     const SystemMatrices &matrices = solver.matrices();
-    const auto         rate = [&d](const unsigned int body) { return d.model().bodies[body].rate; };
-    const SparseValues M    = matrices.mass();
-    SparseValues       K =
+    const auto      rate = [&d](const unsigned int body) { return d.model().bodies[body].rate; };
+    const FemMatrix M    = matrices.mass();
+    FemMatrix       K =
       centrifugal ? matrices.spinning_stiffness(compliance.spun(), rate) : matrices.stiffness(rate);
-    K = add_scaled(std::move(K), 1., make_contact(assembly, ties));
+    K = add_scaled(std::move(K), 1., make_contact(system, ties));
     // Turning bodies feel their bearings in the mean over all turns; what stands in space feels
     // them as they are.
-    const BearingRings   &rings    = assembly.rings();
+    const BearingRings   &rings    = system.rings();
     const Eigen::MatrixXd in_space = make_ring_stiffness(rings, bearings, rate),
                           in_mean  = rings.mean_over_turns(in_space, rate);
     if (!rings.list().empty())
-      K = add_scaled(std::move(K), 1., assembly.ring_matrix(in_mean - rings.stiffness(rate)));
+      K = add_scaled(std::move(K), 1., system.ring_matrix(in_mean - rings.stiffness(rate)));
     CoupledModes result;
-    OwnedVector  turn = make_unit_torque(assembly);
+    OwnedVector  turn = make_unit_torque(system);
     {
       // K u = f with the traction f of a unit torque: f . u is the turn of its points, the tangent
       // mesh stiffness its inverse. The driven hub is free here, the contact carries the torque.
       const OwnedVector  torque = turn;
-      const DirectSolver factors(assembly.pattern(), K, communicator);
+      const DirectSolver factors(K);
       factors.solve(turn.data(), 1);
-      result.stiffness = 1 / assembly.dot(torque, turn);
+      result.stiffness = 1 / system.dot(torque, turn);
     }
     const ModalResult found = solver.solve(K, M, 0.);
     result.counted          = found.counted;
     result.n_unknowns       = found.n_unknowns;
     const ShapeReader         reader(d);
-    const Reduced             reduced = reduce(assembly, matrices, M, found, in_space - in_mean);
+    const Reduced             reduced = reduce(system, matrices, M, found, in_space - in_mean);
     const std::vector<double> none(found.modes.front().shape.size(), 0.);
     for (unsigned int k = 0; k < n; ++k)
       {

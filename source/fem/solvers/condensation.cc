@@ -5,15 +5,13 @@
 
 namespace vfife
 {
-  Condensation::Condensation(const SparsePattern             &pattern,
-                             const SparseValues              &values,
-                             const std::vector<unsigned int> &border,
-                             const Communicator              &alone)
+  Condensation::Condensation(const FemMatrix &matrix, const std::vector<unsigned int> &border)
     : border_(border)
     , schur_(border.begin(), border.end())
     , S_(Eigen::MatrixXd::Zero(border.size(), border.size()))
   {
-    const int n = border_.size();
+    const SparsePattern &pattern = matrix.pattern();
+    const int            n       = border_.size();
     if (n == pattern.n)
       {
         // Nothing to eliminate: S is the matrix itself.
@@ -22,12 +20,12 @@ namespace vfife
           place[border_[b]] = b;
         for (int i = 0; i < n; ++i)
           for (std::size_t k = pattern.begin[i]; k < pattern.begin[i + 1]; ++k)
-            S_(place[i], place[pattern.columns[k]]) = values[k];
+            S_(place[i], place[pattern.columns[k]]) = matrix.values()[k];
         return;
       }
     for (int &unknown : schur_)
       ++unknown;
-    instance_                      = std::make_unique<MumpsInstance>(pattern, values, alone);
+    instance_                      = std::make_unique<MumpsInstance>(matrix);
     instance_->control(19)         = 1; // S is left, as one dense matrix
     instance_->mumps.size_schur    = n;
     instance_->mumps.listvar_schur = schur_.data();

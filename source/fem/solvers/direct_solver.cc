@@ -8,12 +8,10 @@
 
 namespace vfife
 {
-  DirectSolver::DirectSolver(const SparsePattern &pattern,
-                             const SparseValues  &values,
-                             const Communicator  &communicator)
-    : communicator_(communicator)
-    , counts_(communicator.all_gather(pattern.n_rows()))
-    , instance_(std::make_unique<MumpsInstance>(pattern, values, communicator))
+  DirectSolver::DirectSolver(const FemMatrix &matrix)
+    : communicator_(matrix.communicator())
+    , counts_(communicator_.all_gather(matrix.pattern().n_rows()))
+    , instance_(std::make_unique<MumpsInstance>(matrix))
   {
     instance_->factorize();
   }

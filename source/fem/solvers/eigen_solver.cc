@@ -59,11 +59,13 @@ namespace vfife
       return y;
     }
 
-    /** Start vectors that depend on the global number only: the same on any number of ranks. */
-    Teuchos::RCP<Columns> make_start(const Assembly &assembly, const unsigned int n)
+    /** Start vectors that depend on the global number only: the same on any number of ranks. Zero
+     * where unknowns have no mass: they are padding. */
+    Teuchos::RCP<Columns> make_start(const FemMatrix &mass, const unsigned int n)
     {
-      const SparsePattern &pattern = assembly.pattern();
-      const auto start = Teuchos::rcp(new Columns(assembly.communicator(), pattern.n_rows(), n));
+      const SparsePattern &pattern  = mass.pattern();
+      const OwnedVector    diagonal = mass.diagonal();
+      const auto start = Teuchos::rcp(new Columns(mass.communicator(), pattern.n_rows(), n));
       for (unsigned int k = 0; k < n; ++k)
         for (int i = 0; i < pattern.n_rows(); ++i)
           {
@@ -75,9 +77,7 @@ namespace vfife
             bits = (bits ^ (bits >> 30)) * 0xBF58476D1CE4E5B9ull;
             bits = (bits ^ (bits >> 27)) * 0x94D049BB133111EBull;
             bits ^= bits >> 31;
-            (*start)[k][i] = assembly.unknowns().is_padding(global)
-                               ? 0.
-                               : static_cast<double>(bits >> 11) * 0x1p-52 - 1.;
+            (*start)[k][i] = diagonal[i] > 0 ? static_cast<double>(bits >> 11) * 0x1p-52 - 1. : 0.;
           }
       return start;
     }
@@ -159,8 +159,7 @@ namespace vfife
     }
   } // namespace
 
-  EigenPairs solve_shift_invert(const Assembly     &assembly,
-                                const SparseValues &mass,
+  EigenPairs solve_shift_invert(const FemMatrix    &mass,
                                 const DirectSolver &factors,
                                 const double        shift,
                                 const unsigned int  n,
@@ -170,11 +169,10 @@ namespace vfife
     // shift, far apart from each other: few Krylov vectors are needed.
     // Two vectors a block: both members of a double mode enter the Krylov space from the start.
     constexpr unsigned int block = 2;
-    const SparseMatrix     M(assembly, mass);
+    const SparseMatrix     M(mass);
     const ShiftInvert      inverse(M, factors);
-    const auto             problem = Teuchos::rcp(new Problem(Teuchos::rcpFromRef(inverse),
-                                                  Teuchos::rcpFromRef(M),
-                                                  make_start(assembly, block)));
+    const auto             problem = Teuchos::rcp(
+      new Problem(Teuchos::rcpFromRef(inverse), Teuchos::rcpFromRef(M), make_start(mass, block)));
     // Round-off makes complex pairs of exactly double values; where such a pair meets the end of
     // the kept space, Anasazi's restart for symmetric operators writes beyond its memory. The other
     // one keeps pairs together, real and imaginary part spanning the same space.
@@ -187,34 +185,30 @@ namespace vfife
     Anasazi::BlockKrylovSchurSolMgr<double, Columns, ColumnOperator> solver(problem, list);
     solver.solve();
     EigenPairs pairs = take_pairs(*problem, n, solver.getNumIters());
-    make_symmetric(M, inverse, assembly.communicator(), pairs);
+    make_symmetric(M, inverse, mass.communicator(), pairs);
     // The operator's eigenvalues are mu = 1/(lambda - shift).
     for (double &value : pairs.values)
       value = shift + 1. / value;
-    normalize(M, assembly.communicator(), pairs);
+    normalize(M, mass.communicator(), pairs);
     return pairs;
   }
 
-  EigenPairs solve_lobpcg(const Assembly                 &assembly,
-                          const SparseValues             &stiffness,
-                          const SparseValues             &mass,
+  EigenPairs solve_lobpcg(const FemMatrix                &stiffness,
+                          const FemMatrix                &mass,
                           const std::vector<OwnedVector> &near_kernel,
                           const double                    shift,
                           const unsigned int              n,
                           const double                    tolerance)
   {
-    SparseValues shifted = stiffness;
-    for (std::size_t i = 0; i < shifted.size(); ++i)
-      shifted[i] -= shift * mass[i];
-    const MultigridSolver multigrid(assembly, shifted, near_kernel);
-    const SparseMatrix    M(assembly, mass);
+    const MultigridSolver multigrid(add_scaled(stiffness, -shift, mass), near_kernel);
+    const SparseMatrix    M(mass);
 
     // Some vectors beyond those asked for: how fast the last one converges depends on the gap
     // behind the block.
     const unsigned int block   = n + 4;
     const auto         problem = Teuchos::rcp(new Problem(Teuchos::rcpFromRef(multigrid.matrix()),
                                                   Teuchos::rcpFromRef(M),
-                                                  make_start(assembly, block)));
+                                                  make_start(mass, block)));
     problem->setPrec(Teuchos::rcpFromRef(multigrid.cycle()));
     // Here K - shift M and M are both symmetric, and all steps are Rayleigh and Ritz.
     problem->setHermitian(true);
@@ -231,19 +225,18 @@ namespace vfife
     EigenPairs pairs = take_pairs(*problem, n, solver.getNumIters());
     for (double &value : pairs.values)
       value += shift;
-    normalize(M, assembly.communicator(), pairs);
+    normalize(M, mass.communicator(), pairs);
     return pairs;
   }
 
-  std::vector<double> compute_residuals(const Assembly     &assembly,
-                                        const SparseValues &stiffness,
-                                        const SparseValues &mass,
-                                        const EigenPairs   &pairs,
-                                        const double        scale)
+  std::vector<double> compute_residuals(const FemMatrix  &stiffness,
+                                        const FemMatrix  &mass,
+                                        const EigenPairs &pairs,
+                                        const double      scale)
   {
-    const Columns x(assembly.communicator(), pairs.vectors);
-    Columns       r  = apply(SparseMatrix(assembly, stiffness), x);
-    const Columns Mx = apply(SparseMatrix(assembly, mass), x);
+    const Columns x(mass.communicator(), pairs.vectors);
+    Columns       r  = apply(SparseMatrix(stiffness), x);
+    const Columns Mx = apply(SparseMatrix(mass), x);
     for (std::size_t k = 0; k < x.n(); ++k)
       r[k] -= pairs.values[k] * Mx[k];
     const std::vector<double> rests = r.dot(r), sizes = Mx.dot(Mx);
@@ -255,13 +248,11 @@ namespace vfife
     return residuals;
   }
 
-  double compute_orthogonality_defect(const Assembly                 &assembly,
-                                      const SparseValues             &mass,
+  double compute_orthogonality_defect(const FemMatrix                &mass,
                                       const std::vector<OwnedVector> &vectors)
   {
-    const Columns x(assembly.communicator(), vectors);
-    return (x.products(apply(SparseMatrix(assembly, mass), x)) -
-            Eigen::MatrixXd::Identity(x.n(), x.n()))
+    const Columns x(mass.communicator(), vectors);
+    return (x.products(apply(SparseMatrix(mass), x)) - Eigen::MatrixXd::Identity(x.n(), x.n()))
       .cwiseAbs()
       .maxCoeff();
   }

@@ -66,23 +66,21 @@ namespace vfife
 
   struct MultigridSolver::Operators
   {
-    Operators(const Assembly                 &assembly,
-              const SparseValues             &values,
-              const std::vector<OwnedVector> &near_kernel)
-      : communicator(assembly.communicator())
-      , rows(make_own_rows(assembly.pattern()))
+    Operators(const FemMatrix &values, const std::vector<OwnedVector> &near_kernel)
+      : communicator(values.communicator())
+      , rows(make_own_rows(values.pattern()))
       , A(rows, communicator.mpi())
       , matrix(std::make_unique<WrappedOperator<Wrappers::SparseMatrix>>(A))
       , cycle(std::make_unique<WrappedOperator<Wrappers::PreconditionAMG>>(multigrid))
     {
-      const SparsePattern                         &pattern = assembly.pattern();
+      const SparsePattern                         &pattern = values.pattern();
       std::vector<dealii::types::global_dof_index> columns;
       for (int i = 0; i < pattern.n_rows(); ++i)
         {
           const std::size_t begin = pattern.begin[i], end = pattern.begin[i + 1];
           columns.assign(pattern.columns.begin() + begin, pattern.columns.begin() + end);
           // Without zeros, which multigrid would take for couplings.
-          A.set(pattern.first_row + i, end - begin, columns.data(), &values[begin], true);
+          A.set(pattern.first_row + i, end - begin, columns.data(), &values.values()[begin], true);
         }
       A.compress(dealii::VectorOperation::insert);
       for (const OwnedVector &motion : near_kernel)
@@ -155,7 +153,7 @@ namespace vfife
 {
   struct MultigridSolver::Operators
   {
-    Operators(const Assembly &, const SparseValues &, const std::vector<OwnedVector> &)
+    Operators(const FemMatrix &, const std::vector<OwnedVector> &)
     {
       throw InputError(
         "Fem/linear solver, Fem/eigenvalue solver: expected \"direct\", \"shift-invert\", got "
@@ -174,10 +172,9 @@ namespace vfife
 
 #endif
 
-  MultigridSolver::MultigridSolver(const Assembly                 &assembly,
-                                   const SparseValues             &values,
+  MultigridSolver::MultigridSolver(const FemMatrix                &matrix,
                                    const std::vector<OwnedVector> &near_kernel)
-    : operators_(std::make_unique<Operators>(assembly, values, near_kernel))
+    : operators_(std::make_unique<Operators>(matrix, near_kernel))
   {
   }
 

@@ -19,10 +19,10 @@ namespace vfife
     }
   } // namespace
 
-  MumpsInstance::MumpsInstance(const SparsePattern &pattern,
-                               const SparseValues  &all,
-                               const Communicator  &communicator)
+  MumpsInstance::MumpsInstance(const FemMatrix &matrix)
   {
+    const SparsePattern       &pattern = matrix.pattern();
+    const std::vector<double> &all     = matrix.values();
     for (int i = 0; i < pattern.n_rows(); ++i)
       for (std::size_t k = pattern.begin[i]; k < pattern.begin[i + 1]; ++k)
         // The lower triangle, numbered from 1.
@@ -35,7 +35,7 @@ namespace vfife
     // L D L^T and no Cholesky factors: the number of negative pivots is that of the eigenvalues
     // below a shift (Sylvester), and a matrix that is not positive definite is told by them.
     // par = 1: the root works as well; sym = 2: symmetric, not necessarily positive definite.
-    mumps.comm_fortran = MPI_Comm_c2f(communicator.mpi());
+    mumps.comm_fortran = MPI_Comm_c2f(matrix.communicator().mpi());
     mumps.par          = 1;
     mumps.sym          = 2;
     run(-1);
@@ -74,7 +74,7 @@ namespace vfife
     // The factors do not refer to the entries any more.
     std::vector<int>().swap(rows);
     std::vector<int>().swap(columns);
-    SparseValues().swap(values);
+    std::vector<double>().swap(values);
   }
 
   void MumpsInstance::solve()

@@ -4,7 +4,7 @@
 
 // MUMPS as the direct solvers use it; seen by their sources only.
 #include <vfife/base/process/communicator.h>
-#include <vfife/fem/system/assembly.h>
+#include <vfife/fem/system/fem_matrix.h>
 
 #include <dmumps_c.h>
 
@@ -16,14 +16,12 @@ namespace vfife
   /** One symmetric matrix that MUMPS factorizes. */
   struct MumpsInstance
   {
-    DMUMPS_STRUC_C   mumps = {};
-    std::vector<int> rows, columns;
-    SparseValues     values;
+    DMUMPS_STRUC_C      mumps = {};
+    std::vector<int>    rows, columns;
+    std::vector<double> values;
 
     /** Takes the entries and begins; nothing is factorized. */
-    MumpsInstance(const SparsePattern &pattern,
-                  const SparseValues  &all,
-                  const Communicator  &communicator);
+    explicit MumpsInstance(const FemMatrix &matrix);
     ~MumpsInstance();
     MumpsInstance(const MumpsInstance &)            = delete;
     MumpsInstance &operator=(const MumpsInstance &) = delete;

@@ -9,12 +9,13 @@
 
 namespace vfife
 {
-  SparseMatrix::SparseMatrix(const Assembly &assembly, const SparseValues &values)
-    : communicator_(&assembly.communicator())
+  SparseMatrix::SparseMatrix(const FemMatrix &matrix)
+    : communicator_(&matrix.communicator())
   {
-    // The pattern is that of all matrices of an assembly: each has zeros of its own.
-    const SparsePattern &pattern = assembly.pattern();
-    const std::size_t    n_kept  = values.size() - std::count(values.begin(), values.end(), 0.);
+    // The pattern is that of all matrices of a system: each has zeros of its own.
+    const SparsePattern       &pattern = matrix.pattern();
+    const std::vector<double> &values  = matrix.values();
+    const std::size_t n_kept = values.size() - std::count(values.begin(), values.end(), 0.);
     columns_.reserve(n_kept);
     values_.reserve(n_kept);
     begin_.push_back(0);

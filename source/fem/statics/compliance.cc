@@ -86,14 +86,14 @@ namespace vfife
 
   void Compliance::factorize_bodies(const FemOptions &options, const bool centrifugal)
   {
-    Unknowns::Options unknowns;
+    FemConstraints::Options constraints;
     // A hub that turns freely would leave K singular; its turn is an unknown of who asks, and the
     // pin carries nothing in equilibrium.
-    unknowns.rotation = HubRotation::pinned;
-    assembly_         = std::make_unique<Assembly>(
-      space_, unknowns, communicator_, Assembly::Links(), HousingLaw::own_seats);
-    n_unknowns_ = assembly_->unknowns().n();
-    const SystemMatrices matrices(*assembly_, options.mass, options.strain);
+    constraints.rotation = HubRotation::pinned;
+    system_              = std::make_unique<FemSystem>(
+      space_, constraints, communicator_, FemSystem::Links(), HousingLaw::own_seats);
+    n_unknowns_ = system_->constraints().n();
+    const SystemMatrices matrices(*system_, options.mass, options.strain);
     const auto rate = [this](const unsigned int body) { return model_.bodies[body].rate; };
     if (!centrifugal)
       {
@@ -101,13 +101,12 @@ namespace vfife
         return;
       }
     // The factors that are left are those of the state of spin.
-    spun_ =
-      find_spin_state(matrices, rate, true, 0., "the bodies have", [&](const SparseValues &K) {
-        standing_ = find_standing_motions(matrices, K, rate);
-        // Shifts and tilts may be faster than their bearings allow.
-        factorize(K, 4 * standing_.size());
-        return [this](OwnedVector &q) { solver_->solve(q.data(), 1); };
-      }).displacements;
+    spun_ = find_spin_state(matrices, rate, true, 0., "the bodies have", [&](const FemMatrix &K) {
+              standing_ = find_standing_motions(matrices, K, rate);
+              // Shifts and tilts may be faster than their bearings allow.
+              factorize(K, 4 * standing_.size());
+              return [this](OwnedVector &q) { solver_->solve(q.data(), 1); };
+            }).displacements;
   }
 
   void Compliance::check_motions()
@@ -139,11 +138,11 @@ namespace vfife
     return std::find(turning_.begin(), turning_.end(), body) != turning_.end();
   }
 
-  void Compliance::factorize(SparseValues K, const unsigned int n_whirls)
+  void Compliance::factorize(FemMatrix K, const unsigned int n_whirls)
   {
-    K = add_turn_pins(*assembly_, pinned_, std::move(K));
+    K = add_turn_pins(*system_, pinned_, std::move(K));
     solver_.reset(); // its memory first
-    solver_ = std::make_unique<DirectSolver>(assembly_->pattern(), K, communicator_);
+    solver_ = std::make_unique<DirectSolver>(K);
     if (solver_->n_negative() > n_whirls || solver_->n_zero() > 0)
       throw NumericalError("the bodies have no stable state of spin: the speed is too high");
   }
@@ -171,9 +170,9 @@ namespace vfife
           }
         return all;
       }
-    OwnedVector q = assembly_->restrict_forces(forces);
+    OwnedVector q = system_->restrict_forces(forces);
     solver_->solve(q.data(), 1);
-    return assembly_->expand(q);
+    return system_->expand(q);
   }
 
   void Compliance::watch(std::vector<unsigned int> points, std::vector<PointMotion> motions)
@@ -286,7 +285,7 @@ namespace vfife
         for (std::size_t i = first; i < first + n; ++i)
           {
             const OwnedVector q =
-              assembly_->restrict_forces(spread(Eigen::VectorXd::Unit(columns_.size(), rows[i])));
+              system_->restrict_forces(spread(Eigen::VectorXd::Unit(columns_.size(), rows[i])));
             all.insert(all.end(), q.begin(), q.end());
           }
         solver_->solve(all.data(), n);
@@ -294,7 +293,7 @@ namespace vfife
         for (std::size_t i = 0; i < n; ++i)
           {
             const OwnedVector q(all.begin() + i * n_own, all.begin() + (i + 1) * n_own);
-            columns_[rows[first + i]] = at_rows(assembly_->expand(q));
+            columns_[rows[first + i]] = at_rows(system_->expand(q));
           }
       }
   }

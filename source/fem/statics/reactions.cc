@@ -1,8 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/fem/statics/reactions.h>
 #include <vfife/fem/system/bearing_rings.h>
+#include <vfife/fem/system/fem_constraints.h>
 #include <vfife/fem/system/load_forces.h>
-#include <vfife/fem/system/point_constraints.h>
 #include <vfife/model/constraints/supports.h>
 
 namespace vfife

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/fem/solvers/sparse_matrix.h>
 #include <vfife/fem/statics/standing_motion.h>
-#include <vfife/fem/system/unknowns.h>
+#include <vfife/fem/system/fem_constraints.h>
 
 #include <Eigen/LU>
 
@@ -47,18 +47,18 @@ namespace vfife
   } // namespace
 
   std::vector<StandingMotion> find_standing_motions(const SystemMatrices       &matrices,
-                                                    const SparseValues         &stiffness,
+                                                    const FemMatrix            &stiffness,
                                                     const SystemMatrices::Rate &rate)
   {
-    const Assembly             &assembly = matrices.assembly();
-    const FemSpace             &d        = assembly.space();
-    const Eigen::MatrixXd       bearings = assembly.rings().stiffness(rate);
+    const FemSystem            &system   = matrices.system();
+    const FemSpace             &d        = system.space();
+    const Eigen::MatrixXd       bearings = system.rings().stiffness(rate);
     std::vector<StandingMotion> all;
     for (const FemSpace::Part &part : d.parts())
       {
         if (rate(part.body) == 0. || !hangs_in_bearings(d.model(), part.body))
           continue;
-        const SparseMatrix K(assembly, stiffness);
+        const SparseMatrix K(stiffness);
         const auto         motions = make_motions(d, part);
         const Eigen::Index n       = 3 * Eigen::Index(part.n_points);
         Eigen::MatrixXd    r(n_motions, n), w(n_motions, n), mean(n_motions, n);
@@ -66,13 +66,11 @@ namespace vfife
           {
             // 1. Forces of the motion but for those of the bearings. A body without constraints has
             // its displacements for unknowns.
-            std::vector<double> forces =
-              assembly.expand(K.apply(assembly.restrict_field(motions[m])));
-            assembly.rings().add_forces(-bearings * assembly.rings().displacement(motions[m]),
-                                        forces);
+            std::vector<double> forces = system.expand(K.apply(system.restrict_field(motions[m])));
+            system.rings().add_forces(-bearings * system.rings().displacement(motions[m]), forces);
             r.row(m)    = of_part(motions[m], part);
             w.row(m)    = of_part(forces, part);
-            mean.row(m) = of_part(assembly.expand(matrices.apply_mass(motions[m])), part);
+            mean.row(m) = of_part(system.expand(matrices.apply_mass(motions[m])), part);
           }
         // 2. Mean motions, weighted with mass: Phi = (r^T M r)^-1 r^T M.
         mean                          = (mean * r.transpose()).eval().inverse() * mean;

@@ -127,7 +127,7 @@ namespace vfife
             Eigen::Map<Vector3>(sums.data() + row) += spring.second * way;
             strain_energy += .5 * way.dot(spring.second * way);
           }
-        const BearingRings   &rings   = matrices.assembly().rings();
+        const BearingRings   &rings   = matrices.system().rings();
         const Eigen::VectorXd ways    = rings.displacement(u);
         const Eigen::VectorXd pressed = rings.stiffness(rate) * ways;
         rings.add_forces(pressed - rings.preload(), sums);
@@ -180,15 +180,15 @@ namespace vfife
   }
 
   LinearSolve StaticSolver::prepare(const SystemMatrices &matrices,
-                                    SparseValues          K,
+                                    FemMatrix             K,
                                     unsigned int         &n_iterations) const
   {
-    const Assembly &assembly = matrices.assembly();
-    K                        = add_turn_pins(assembly, pinned_, std::move(K));
+    const FemSystem &system = matrices.system();
+    K                       = add_turn_pins(system, pinned_, std::move(K));
     std::function<bool(OwnedVector & q)> solve; // tells whether K is known to be positive
     if (options_.linear_solver == LinearSolverKind::direct)
       {
-        const auto solver = std::make_shared<DirectSolver>(assembly.pattern(), K, communicator_);
+        const auto solver = std::make_shared<DirectSolver>(K);
         const bool stable = solver->n_negative() == 0 && solver->n_zero() == 0;
         solve             = [solver, stable](OwnedVector &q) {
           solver->solve(q.data(), 1);
@@ -197,17 +197,17 @@ namespace vfife
       }
     else
       {
-        assembly.set_padding(K, assembly.mean_diagonal(K));
-        const auto solver = std::make_shared<MultigridSolver>(assembly, K, matrices.near_kernel());
+        system.set_padding(K, system.mean_diagonal(K));
+        const auto solver = std::make_shared<MultigridSolver>(K, matrices.near_kernel());
         solve             = [this, solver, &n_iterations](OwnedVector &q) {
           q            = solver->solve(q, options_.linear_tolerance);
           n_iterations = solver->n_iterations();
           return true;
         };
       }
-    return [&assembly, solve](OwnedVector &q) {
+    return [&system, solve](OwnedVector &q) {
       const OwnedVector f    = q;
-      const double      size = assembly.dot(f, f);
+      const double      size = system.dot(f, f);
       if (!std::isfinite(size))
         throw NumericalError("the loads of the static solution are not finite");
       // Nothing acts: conjugate gradients could not measure their residual by it.
@@ -215,7 +215,7 @@ namespace vfife
         return;
       const bool stable = solve(q);
       // Conjugate gradients count no pivots, but an indefinite matrix shows in negative work.
-      const double work = assembly.dot(f, q);
+      const double work = system.dot(f, q);
       if (!std::isfinite(work))
         throw NumericalError("the static solution is not finite");
       if (!stable || !(work > 0))
@@ -226,19 +226,19 @@ namespace vfife
   StaticResult StaticSolver::solve(const StaticLoads &loads) const
   {
     // u = T q + u_c: unknowns are what is not prescribed.
-    Unknowns::Options unknowns;
-    unknowns.padded       = options_.linear_solver == LinearSolverKind::multigrid;
-    unknowns.rotation     = rotation_;
-    unknowns.led_are_held = true;
-    const Assembly             assembly(space_, unknowns, communicator_);
-    const SystemMatrices       matrices(assembly, options_.mass, options_.strain);
+    FemConstraints::Options constraints;
+    constraints.padded       = options_.linear_solver == LinearSolverKind::multigrid;
+    constraints.rotation     = rotation_;
+    constraints.led_are_held = true;
+    const FemSystem            system(space_, constraints, communicator_);
+    const SystemMatrices       matrices(system, options_.mass, options_.strain);
     const SystemMatrices::Rate rate = body_rate(loads);
     StaticResult               result;
     result.turns = loads.centrifugal;
     // First the state of spin, which stiffens and softens the bodies: everything else is linear
     // about it.
     SpinState  state;
-    const auto prepared = [&](SparseValues K) {
+    const auto prepared = [&](FemMatrix K) {
       return prepare(matrices, std::move(K), result.n_iterations);
     };
     if (loads.centrifugal && loads.stress_stiffness)
@@ -246,7 +246,7 @@ namespace vfife
         find_spin_state(matrices, rate, loads.spin_softening, 0., "the bodies have", prepared);
     else
       {
-        SparseValues K = matrices.stiffness(rate);
+        FemMatrix K = matrices.stiffness(rate);
         // K - Omega^2 S: the displaced mass is thrown outwards too.
         if (loads.centrifugal && loads.spin_softening)
           K = add_scaled(std::move(K), -1., matrices.spin_mass(rate));
@@ -272,9 +272,9 @@ namespace vfife
           Eigen::Map<Vector3>(forces.data() + row) -=
             point.second * Eigen::Map<const Vector3>(state.displacements.data() + row);
         }
-    OwnedVector q = assembly.restrict_forces(forces);
+    OwnedVector q = system.restrict_forces(forces);
     state.solve(q);
-    u = add_scaled(std::move(u), 1., assembly.expand(q));
+    u = add_scaled(std::move(u), 1., system.expand(q));
     // What is left of all forces at the solution is what the constraints exert.
     result.reactions = balance(matrices, loads, u, state.displacements, result.strain_energy);
     return result;

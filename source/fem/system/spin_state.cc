@@ -28,14 +28,14 @@ namespace vfife
                             const std::string          &name,
                             const PrepareSolve         &prepare)
   {
-    const Assembly &assembly = matrices.assembly();
-    SpinState       state;
-    state.displacements.assign(3 * static_cast<std::size_t>(assembly.space().n_points()), 0.);
+    const FemSystem &system = matrices.system();
+    SpinState        state;
+    state.displacements.assign(3 * static_cast<std::size_t>(system.space().n_points()), 0.);
     const auto refuse = [&name]() {
       throw NumericalError(name + " no stable state of spin: the speed is too high");
     };
     // At rest, and at the state: the bed is under both.
-    const auto with_bed = [&](SparseValues K) {
+    const auto with_bed = [&](FemMatrix K) {
       return bed > 0 ? add_scaled(std::move(K), bed, matrices.mass()) : K;
     };
     // Bodies that are softened may be stable under their stresses only: the stiffness at rest is
@@ -49,7 +49,7 @@ namespace vfife
         if (bed > 0)
           q = add_scaled(std::move(q), -bed, matrices.apply_mass(state.displacements));
         state.solve(q);
-        const std::vector<double> change = assembly.expand(q);
+        const std::vector<double> change = system.expand(q);
         state.displacements              = add_scaled(std::move(state.displacements), 1., change);
         const double length = norm(change), size = norm(state.displacements);
         if (!std::isfinite(size))

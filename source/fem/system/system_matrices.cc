@@ -24,10 +24,10 @@ namespace vfife
     }
   } // namespace
 
-  SystemMatrices::SystemMatrices(const Assembly     &assembly,
+  SystemMatrices::SystemMatrices(const FemSystem    &system,
                                  const MassKind      mass,
                                  const StrainMeasure strain)
-    : assembly_(assembly)
+    : system_(system)
     , mass_(mass)
     , strain_(strain)
   {
@@ -35,59 +35,59 @@ namespace vfife
 
   Eigen::MatrixXd SystemMatrices::mass_coefficients(const unsigned int e) const
   {
-    const FemSpace &d = assembly_.space();
+    const FemSpace &d = system_.space();
     return compute_mass_coefficients(d.element_nodes(e), d.material(e).density, mass_);
   }
 
   unsigned int SystemMatrices::body(const unsigned int e) const
   {
-    return assembly_.space().part_of_element(e).body;
+    return system_.space().part_of_element(e).body;
   }
 
   const Axis &SystemMatrices::axis(const unsigned int e) const
   {
-    return assembly_.space().model().bodies[body(e)].axis;
+    return system_.space().model().bodies[body(e)].axis;
   }
 
-  SparseValues SystemMatrices::stiffness(const Rate &rate) const
+  FemMatrix SystemMatrices::stiffness(const Rate &rate) const
   {
-    const FemSpace &d       = assembly_.space();
-    SparseValues    K       = assembly_.matrix([&](const unsigned int e) {
+    const FemSpace &d       = system_.space();
+    FemMatrix       K       = system_.matrix([&](const unsigned int e) {
       return compute_fem_stiffness(d.element_nodes(e), d.material(e), d.element());
     });
     const auto      springs = find_springs(d);
     if (!springs.empty())
-      K = add_scaled(std::move(K), 1., assembly_.point_matrix(springs));
+      K = add_scaled(std::move(K), 1., system_.point_matrix(springs));
     return add_rings(std::move(K), rate);
   }
 
-  SparseValues SystemMatrices::add_rings(SparseValues K, const Rate &rate) const
+  FemMatrix SystemMatrices::add_rings(FemMatrix K, const Rate &rate) const
   {
-    const BearingRings &rings = assembly_.rings();
+    const BearingRings &rings = system_.rings();
     return rings.list().empty()
              ? K
-             : add_scaled(std::move(K), 1., assembly_.ring_matrix(rings.stiffness(rate)));
+             : add_scaled(std::move(K), 1., system_.ring_matrix(rings.stiffness(rate)));
   }
 
-  SparseValues SystemMatrices::mass() const
+  FemMatrix SystemMatrices::mass() const
   {
-    return assembly_.matrix([&](const unsigned int e) {
+    return system_.matrix([&](const unsigned int e) {
       return expand_coefficients(mass_coefficients(e), Matrix3::Identity());
     });
   }
 
-  SparseValues SystemMatrices::spin_mass(const Rate &rate) const
+  FemMatrix SystemMatrices::spin_mass(const Rate &rate) const
   {
-    return assembly_.matrix([&](const unsigned int e) {
+    return system_.matrix([&](const unsigned int e) {
       // Omega^2 S, S = m_ab (1 - a a^T): the centrifugal force on the moved mass
       const double omega = rate(body(e));
       return expand_coefficients(omega * omega * mass_coefficients(e), across(axis(e).direction));
     });
   }
 
-  SparseValues SystemMatrices::gyroscopic(const Rate &rate) const
+  FemMatrix SystemMatrices::gyroscopic(const Rate &rate) const
   {
-    return assembly_.matrix([&](const unsigned int e) {
+    return system_.matrix([&](const unsigned int e) {
       // Omega G, G = m_ab [a]x: half of the Coriolis force 2 Omega a x u'
       return expand_coefficients(rate(body(e)) * mass_coefficients(e),
                                  cross_matrix(axis(e).direction));
@@ -97,7 +97,7 @@ namespace vfife
   SystemMatrices::PointMatrices SystemMatrices::hub_curvature(const std::vector<double> &u,
                                                               const Rate                &rate) const
   {
-    const FemSpace &d = assembly_.space();
+    const FemSpace &d = system_.space();
     // The force F of the constraint stays radial. When the point moves by u_t along the circle of
     // radius r, F turns by u_t/r, which is a force F/r u_t along the tangent: a stiffness of -F/r.
     std::map<unsigned int, Vector3> reactions;
@@ -162,7 +162,7 @@ namespace vfife
                                                     const Eigen::VectorXd &u,
                                                     const Rate            &rate) const
   {
-    const FemSpace &d     = assembly_.space();
+    const FemSpace &d     = system_.space();
     const Axis     &line  = axis(e);
     const double    omega = rate(body(e));
     // Omega^2 m_ab (1 - a a^T) (X + u)_b, the columns of X being the element's points.
@@ -176,17 +176,16 @@ namespace vfife
   SystemMatrices::PointMatrices SystemMatrices::point_stiffnesses(const std::vector<double> &u,
                                                                   const Rate &rate) const
   {
-    PointMatrices       points = find_springs(assembly_.space());
+    PointMatrices       points = find_springs(system_.space());
     const PointMatrices hub    = hub_curvature(u, rate);
     points.insert(points.end(), hub.begin(), hub.end());
     return points;
   }
 
-  SparseValues SystemMatrices::spinning_stiffness(const std::vector<double> &u,
-                                                  const Rate                &rate) const
+  FemMatrix SystemMatrices::spinning_stiffness(const std::vector<double> &u, const Rate &rate) const
   {
-    const FemSpace &d = assembly_.space();
-    SparseValues    K = assembly_.matrix([&](const unsigned int e) -> Eigen::MatrixXd {
+    const FemSpace &d = system_.space();
+    FemMatrix       K = system_.matrix([&](const unsigned int e) -> Eigen::MatrixXd {
       const double omega = rate(body(e));
       return compute_element_state(d.stress_free_nodes(e),
                                    d.material(e),
@@ -197,16 +196,16 @@ namespace vfife
                .tangent -
              expand_coefficients(omega * omega * mass_coefficients(e), across(axis(e).direction));
     });
-    return add_rings(
-      add_scaled(std::move(K), 1., assembly_.point_matrix(point_stiffnesses(u, rate))), rate);
+    return add_rings(add_scaled(std::move(K), 1., system_.point_matrix(point_stiffnesses(u, rate))),
+                     rate);
   }
 
   OwnedVector SystemMatrices::spinning_residual(const std::vector<double> &u,
                                                 const Rate                &rate,
                                                 const bool                 softening) const
   {
-    const FemSpace     &d        = assembly_.space();
-    OwnedVector         residual = assembly_.vector([&](const unsigned int e) -> Eigen::VectorXd {
+    const FemSpace     &d        = system_.space();
+    OwnedVector         residual = system_.vector([&](const unsigned int e) -> Eigen::VectorXd {
       const Eigen::VectorXd v = d.gather(e, u);
       return centrifugal_force(e, softening ? v : Eigen::VectorXd::Zero(v.size()), rate) -
              compute_element_state(d.stress_free_nodes(e),
@@ -221,16 +220,16 @@ namespace vfife
     for (const auto &point : point_stiffnesses(u, rate))
       Eigen::Map<Vector3>(held.data() + 3 * std::size_t(point.first)) -=
         point.second * Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(point.first));
-    const BearingRings &rings = assembly_.rings();
+    const BearingRings &rings = system_.rings();
     rings.add_forces(-rings.stiffness(rate) * rings.displacement(u), held);
-    const OwnedVector springs = assembly_.restrict_forces(held);
+    const OwnedVector springs = system_.restrict_forces(held);
     return add_scaled(std::move(residual), 1., springs);
   }
 
   OwnedVector SystemMatrices::apply_mass(const std::vector<double> &field) const
   {
-    const FemSpace &d = assembly_.space();
-    return assembly_.vector([&](const unsigned int e) -> Eigen::VectorXd {
+    const FemSpace &d = system_.space();
+    return system_.vector([&](const unsigned int e) -> Eigen::VectorXd {
       const Eigen::VectorXd values = d.gather(e, field);
       const ElementNodes    forces =
         Eigen::Map<const ElementNodes>(values.data(), 3, values.size() / 3) * mass_coefficients(e);
@@ -240,7 +239,7 @@ namespace vfife
 
   std::vector<OwnedVector> SystemMatrices::near_kernel() const
   {
-    const FemSpace          &d = assembly_.space();
+    const FemSpace          &d = system_.space();
     std::vector<OwnedVector> kernel;
     for (const FemSpace::Part &part : d.parts())
       {
@@ -249,7 +248,7 @@ namespace vfife
           centre += d.points()[p] / part.n_points;
         for (const auto &motion : make_rigid_motions(d, part, centre))
           // The coarse levels of multigrid have to hold what costs no strain energy.
-          kernel.push_back(assembly_.restrict_field(motion));
+          kernel.push_back(system_.restrict_field(motion));
       }
     return kernel;
   }
@@ -257,12 +256,5 @@ namespace vfife
   SystemMatrices::Rate constant_rate(const double rate)
   {
     return [rate](unsigned int) { return rate; };
-  }
-
-  SparseValues add_scaled(SparseValues a, const double factor, const SparseValues &b)
-  {
-    for (std::size_t i = 0; i < a.size(); ++i)
-      a[i] += factor * b[i];
-    return a;
   }
 } // namespace vfife

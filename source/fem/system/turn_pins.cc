@@ -34,16 +34,16 @@ namespace vfife
     return whole - along * along / turn < 1e-8 * whole;
   }
 
-  SparseValues
-  add_turn_pins(const Assembly &assembly, const std::vector<unsigned int> &bodies, SparseValues K)
+  FemMatrix
+  add_turn_pins(const FemSystem &system, const std::vector<unsigned int> &bodies, FemMatrix K)
   {
     if (bodies.empty())
       return K;
-    const FemSpace        &d         = assembly.space();
-    const double           stiffness = assembly.mean_diagonal(K);
+    const FemSpace        &d         = system.space();
+    const double           stiffness = system.mean_diagonal(K);
     std::set<unsigned int> done;
     // The points of a ring are coupled anyway.
-    const std::vector<BearingRing> &rings = assembly.rings().list();
+    const std::vector<BearingRing> &rings = system.rings().list();
     Eigen::MatrixXd pins = Eigen::MatrixXd::Zero(6 * rings.size(), 6 * rings.size());
     for (std::size_t r = 0; r < rings.size(); ++r)
       {
@@ -59,6 +59,6 @@ namespace vfife
         pins.block<3, 3>(6 * r + 3, 6 * r + 3) =
           stiffness * square * axis.direction * axis.direction.transpose();
       }
-    return add_scaled(std::move(K), 1., assembly.ring_matrix(pins));
+    return add_scaled(std::move(K), 1., system.ring_matrix(pins));
   }
 } // namespace vfife

@@ -29,8 +29,8 @@ namespace
     options.mass    = MassKind::lumped;
     options.n_modes = 5;
     const FemSpace    d(model, {0}, options.element);
-    const Assembly    assembly(d, {}, communicator);
-    const ModalResult result = ModalSolver(assembly, options).solve();
+    const FemSystem   system(d, {}, communicator);
+    const ModalResult result = ModalSolver(system, options).solve();
     // In this order: 0, 1 twice, 2 twice (tests/fem/modes.cc describes them).
     return {{result.modes[0].frequency(), result.modes[3].frequency()}};
   }

@@ -41,12 +41,12 @@ namespace vfife
     CyclicModes find_modes(double cutoff);
 
     /** z_j^H A z_l of all modes over the whole body, A a matrix of the whole body. */
-    Eigen::MatrixXcd project(const CyclicModes &modes, const SparseValues &A) const;
+    Eigen::MatrixXcd project(const CyclicModes &modes, const FemMatrix &A) const;
     /** Coriolis matrix G of a unit rate. */
-    SparseValues coriolis() const;
+    FemMatrix coriolis() const;
     /** The change of K - Omega^2 S + hub curvature over that of Omega^2, from the body's state of
      * spin to that of @p rate [rad/s] with the displacements @p equilibrium. */
-    SparseValues spin_stiffness(const std::vector<double> &equilibrium, double rate) const;
+    FemMatrix spin_stiffness(const std::vector<double> &equilibrium, double rate) const;
 
     /** What rows read of the modes: phasors, a row each. */
     Eigen::MatrixXcd read(const CyclicModes &modes, const std::vector<SectorRow> &rows) const;
@@ -73,7 +73,7 @@ namespace vfife
 
     unsigned int n_unknowns() const
     {
-      return assembly_.unknowns().n();
+      return system_.constraints().n();
     }
     double memory() const
     {
@@ -90,10 +90,10 @@ namespace vfife
     Eigen::VectorXd turn_in(const Eigen::MatrixXd &q) const;
     Eigen::VectorXd read_turn(const std::vector<SectorRow> &rows) const;
     /** Of real modes with a vector on the unknowns. */
-    Eigen::VectorXd product(const CyclicModes &modes, const OwnedVector &load) const;
-    const Assembly &static_assembly() const
+    Eigen::VectorXd  product(const CyclicModes &modes, const OwnedVector &load) const;
+    const FemSystem &static_system() const
     {
-      return pinned_ ? *pinned_ : assembly_;
+      return pinned_ ? *pinned_ : system_;
     }
     CyclicModes make_complex(const std::vector<OwnedVector> &vectors) const;
     CyclicModes without_turn(std::vector<OwnedVector>   vectors,
@@ -102,10 +102,10 @@ namespace vfife
 
     const CyclicBody             &body_;
     unsigned int                  number_;
-    Assembly                      assembly_;
+    FemSystem                     system_;
     SystemMatrices                matrices_;
-    SparseValues                  K_, M_;
-    std::unique_ptr<Assembly>     pinned_; ///< h = 0 with a free hub: for static displacements
+    FemMatrix                     K_, M_;
+    std::unique_ptr<FemSystem>    pinned_; ///< h = 0 with a free hub: for static displacements
     std::unique_ptr<DirectSolver> factors_;
     Eigen::VectorXd               momentum_; ///< of the turn, on the pinned unknowns
     double                        memory_ = 0;

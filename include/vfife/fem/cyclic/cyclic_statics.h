@@ -85,7 +85,7 @@ namespace vfife
     SectorCopies                  copies_;
     const Communicator           &communicator_;
     HubRotation                   hub_ = HubRotation::pinned; ///< of the sector's unknowns
-    std::unique_ptr<Assembly>     sector_; ///< open: its images are points of their own
+    std::unique_ptr<FemSystem>    sector_; ///< open: its images are points of their own
     std::unique_ptr<Condensation> condensed_;
     unsigned int                  n_border_ = 0; ///< unknowns of one border
     std::vector<Harmonic>         harmonics_;    ///< of this rank

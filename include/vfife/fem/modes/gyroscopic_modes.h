@@ -2,7 +2,7 @@
 #ifndef vfife_fem_modes_gyroscopic_modes_h
 #define vfife_fem_modes_gyroscopic_modes_h
 
-#include <vfife/fem/system/assembly.h>
+#include <vfife/fem/system/fem_matrix.h>
 
 namespace vfife
 {
@@ -24,8 +24,7 @@ namespace vfife
   /** M u'' + 2 C u' + K u = 0 with C = Omega G skew. */
   struct GyroscopicSystem
   {
-    const Assembly     &assembly;
-    const SparseValues &stiffness, &mass, &coriolis;
+    const FemMatrix    &stiffness, &mass, &coriolis;
     double              rate;    ///< Omega [rad/s]
     const DirectSolver &factors; ///< of K - shift M
     double              shift;   ///< [rad^2/s^2]

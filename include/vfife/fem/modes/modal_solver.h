@@ -51,8 +51,7 @@ namespace vfife
 
   /** -1e-10 of the largest K_ii/M_ii [rad^2/s^2]: far above the round-off of eigenvalues, far below
    * the modes that a mesh resolves. Collective. */
-  double
-  choose_shift(const Assembly &assembly, const SparseValues &stiffness, const SparseValues &mass);
+  double choose_shift(const FemMatrix &stiffness, const FemMatrix &mass);
 
   /**
    * The lowest modes of K x = omega^2 M x. The shift is that of choose_shift(), so that free bodies
@@ -65,9 +64,9 @@ namespace vfife
   class ModalSolver
   {
   public:
-    /** @p assembly has padded unknowns exactly where @p options asks for LOBPCG. Throws InputError,
+    /** @p system has padded unknowns exactly where @p options asks for LOBPCG. Throws InputError,
      * in the name of Fem/modes, where more modes are asked for than largest_number(). */
-    ModalSolver(const Assembly &assembly, const FemOptions &options);
+    ModalSolver(const FemSystem &system, const FemOptions &options);
 
     /** Modes of the bodies at rest; their rigid motions are those that the model leaves free. */
     ModalResult solve() const;
@@ -77,8 +76,8 @@ namespace vfife
      * lowest eigenvalue [rad^2/s^2], 0 or what motions are softened to; @p rigid are the motions
      * that nothing opposes, as displacements of all points (each copy).
      */
-    ModalResult solve(const SparseValues                     &stiffness,
-                      const SparseValues                     &mass,
+    ModalResult solve(const FemMatrix                        &stiffness,
+                      const FemMatrix                        &mass,
                       double                                  lowest,
                       const std::vector<std::vector<double>> &rigid = {}) const;
 
@@ -99,16 +98,15 @@ namespace vfife
 
   private:
     struct Found;
-    Found find_by_factorization(const SparseValues &stiffness,
-                                const SparseValues &mass,
-                                double              shift) const;
-    Found find_by_lobpcg(SparseValues stiffness, SparseValues mass, double shift) const;
+    Found
+    find_by_factorization(const FemMatrix &stiffness, const FemMatrix &mass, double shift) const;
+    Found find_by_lobpcg(FemMatrix stiffness, const FemMatrix &mass, double shift) const;
     void  add_effective_masses(ModalResult &result) const;
-    void  check_orthogonality(const SparseValues &mass, const std::vector<OwnedVector> &x) const;
+    void  check_orthogonality(const FemMatrix &mass, const std::vector<OwnedVector> &x) const;
 
-    const Assembly &assembly_;
-    FemOptions      options_;
-    SystemMatrices  matrices_;
+    const FemSystem &system_;
+    FemOptions       options_;
+    SystemMatrices   matrices_;
   };
 } // namespace vfife
 

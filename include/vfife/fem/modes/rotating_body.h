@@ -101,13 +101,13 @@ namespace vfife
     bool add_waves(const SystemMatrices &matrices,
                    unsigned int          harmonic,
                    double                rate,
-                   const SparseValues   &stiffness,
-                   const SparseValues   &mass,
+                   const FemMatrix      &stiffness,
+                   const FemMatrix      &mass,
                    const ModalResult    &found,
                    ModesAtSpeed         &result) const;
     /** Rigid motions that nothing opposes, as displacements of all points (each copy). */
-    std::vector<std::vector<double>> rigid_motions(const Assembly &assembly,
-                                                   unsigned int    harmonic) const;
+    std::vector<std::vector<double>> rigid_motions(const FemSystem &system,
+                                                   unsigned int     harmonic) const;
     std::vector<double> node_shape(const std::vector<double> &shape, unsigned int harmonic) const;
 
     const Model        &model_;

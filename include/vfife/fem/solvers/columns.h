@@ -2,7 +2,7 @@
 #ifndef vfife_fem_solvers_columns_h
 #define vfife_fem_solvers_columns_h
 
-#include <vfife/fem/system/assembly.h>
+#include <vfife/fem/system/fem_matrix.h>
 
 #include <Eigen/Core>
 

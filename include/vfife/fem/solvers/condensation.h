@@ -2,7 +2,9 @@
 #ifndef vfife_fem_solvers_condensation_h
 #define vfife_fem_solvers_condensation_h
 
-#include <vfife/fem/system/assembly.h>
+#include <vfife/fem/system/fem_matrix.h>
+
+#include <Eigen/Core>
 
 #include <functional>
 #include <memory>
@@ -20,10 +22,7 @@ namespace vfife
   {
   public:
     /** @p border: unknowns that are left, in the order of S. */
-    Condensation(const SparsePattern             &pattern,
-                 const SparseValues              &values,
-                 const std::vector<unsigned int> &border,
-                 const Communicator              &alone);
+    Condensation(const FemMatrix &matrix, const std::vector<unsigned int> &border);
     ~Condensation();
     Condensation(const Condensation &)            = delete;
     Condensation &operator=(const Condensation &) = delete;

@@ -2,7 +2,7 @@
 #ifndef vfife_fem_solvers_direct_solver_h
 #define vfife_fem_solvers_direct_solver_h
 
-#include <vfife/fem/system/assembly.h>
+#include <vfife/fem/system/fem_matrix.h>
 
 #include <memory>
 
@@ -17,9 +17,7 @@ namespace vfife
   class DirectSolver
   {
   public:
-    DirectSolver(const SparsePattern &pattern,
-                 const SparseValues  &values,
-                 const Communicator  &communicator);
+    explicit DirectSolver(const FemMatrix &matrix);
     ~DirectSolver();
     DirectSolver(const DirectSolver &)            = delete;
     DirectSolver &operator=(const DirectSolver &) = delete;

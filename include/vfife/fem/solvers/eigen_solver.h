@@ -2,7 +2,7 @@
 #ifndef vfife_fem_solvers_eigen_solver_h
 #define vfife_fem_solvers_eigen_solver_h
 
-#include <vfife/fem/system/assembly.h>
+#include <vfife/fem/system/fem_matrix.h>
 
 namespace vfife
 {
@@ -21,8 +21,7 @@ namespace vfife
    * (K - shift M)^-1 M; @p factors are those of K - shift M, which must be positive definite.
    * Throws NumericalError where it does not converge. Collective.
    */
-  EigenPairs solve_shift_invert(const Assembly     &assembly,
-                                const SparseValues &mass,
+  EigenPairs solve_shift_invert(const FemMatrix    &mass,
                                 const DirectSolver &factors,
                                 double              shift,
                                 unsigned int        n,
@@ -30,26 +29,23 @@ namespace vfife
 
   /**
    * The @p n lowest eigenvalues by LOBPCG (Anasazi) with multigrid for K - shift M, which must be
-   * positive definite; the assembly's unknowns are padded. Collective.
+   * positive definite, of a system with padded unknowns. Collective.
    */
-  EigenPairs solve_lobpcg(const Assembly                 &assembly,
-                          const SparseValues             &stiffness,
-                          const SparseValues             &mass,
+  EigenPairs solve_lobpcg(const FemMatrix                &stiffness,
+                          const FemMatrix                &mass,
                           const std::vector<OwnedVector> &near_kernel,
                           double                          shift,
                           unsigned int                    n,
                           double                          tolerance);
 
   /** |K x - lambda M x| / (max(|lambda|, |scale|) |M x|) of each pair. Collective. */
-  std::vector<double> compute_residuals(const Assembly     &assembly,
-                                        const SparseValues &stiffness,
-                                        const SparseValues &mass,
-                                        const EigenPairs   &pairs,
-                                        double              scale);
+  std::vector<double> compute_residuals(const FemMatrix  &stiffness,
+                                        const FemMatrix  &mass,
+                                        const EigenPairs &pairs,
+                                        double            scale);
 
   /** Largest |x_i^T M x_j - delta_ij|. Collective. */
-  double compute_orthogonality_defect(const Assembly                 &assembly,
-                                      const SparseValues             &mass,
+  double compute_orthogonality_defect(const FemMatrix                &mass,
                                       const std::vector<OwnedVector> &vectors);
 } // namespace vfife
 

@@ -3,7 +3,6 @@
 #define vfife_fem_solvers_multigrid_solver_h
 
 #include <vfife/fem/solvers/columns.h>
-#include <vfife/fem/system/assembly.h>
 
 #include <memory>
 
@@ -11,7 +10,7 @@ namespace vfife
 {
   /**
    * Conjugate gradients, preconditioned by smoothed aggregation (deal.II's PreconditionAMG) whose
-   * coarse spaces hold the rigid motions. For positive definite matrices of an assembly with padded
+   * coarse spaces hold the rigid motions. For positive definite matrices of a system with padded
    * unknowns. Collective.
    */
   class MultigridSolver
@@ -21,9 +20,7 @@ namespace vfife
      * @p near_kernel: owned parts of the six rigid motions of each body. Throws InputError where
      * deal.II has no such preconditioner.
      */
-    MultigridSolver(const Assembly                 &assembly,
-                    const SparseValues             &values,
-                    const std::vector<OwnedVector> &near_kernel);
+    MultigridSolver(const FemMatrix &matrix, const std::vector<OwnedVector> &near_kernel);
     ~MultigridSolver();
     MultigridSolver(const MultigridSolver &)            = delete;
     MultigridSolver &operator=(const MultigridSolver &) = delete;

@@ -21,7 +21,7 @@ namespace vfife
   {
   public:
     /** Copies the values other than zero. */
-    SparseMatrix(const Assembly &assembly, const SparseValues &values);
+    explicit SparseMatrix(const FemMatrix &matrix);
 
     void        apply(const Columns &x, Columns &y) const override;
     OwnedVector apply(const OwnedVector &x) const;
@@ -36,7 +36,7 @@ namespace vfife
     const Communicator      *communicator_;
     std::vector<std::size_t> begin_;   ///< of each own row, and one past the last
     std::vector<int>         columns_; ///< own rows from 0, columns of other ranks behind them
-    SparseValues             values_;
+    std::vector<double>      values_;
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner_;
   };
 } // namespace vfife

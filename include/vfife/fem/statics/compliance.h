@@ -134,7 +134,7 @@ namespace vfife
     void check_motions();
     bool factorize_sectors(const FemOptions &options, bool centrifugal);
     void factorize_bodies(const FemOptions &options, bool centrifugal);
-    void factorize(SparseValues K, unsigned int n_whirls);
+    void factorize(FemMatrix K, unsigned int n_whirls);
     void add_column(unsigned int row);
     void add_columns(const std::vector<unsigned int> &rows);
 
@@ -142,7 +142,7 @@ namespace vfife
     const Communicator           &communicator_;
     FemSpace                      space_;
     BearingRings                  rings_; ///< seats by themselves
-    std::unique_ptr<Assembly>     assembly_;
+    std::unique_ptr<FemSystem>    system_;
     std::unique_ptr<DirectSolver> solver_;
     std::vector<SectorBody>       sectors_; ///< of all bodies, and no matrix of theirs; or none
     unsigned int                  n_unknowns_ = 0;

@@ -31,7 +31,7 @@ namespace vfife
    * @p stiffness: K(u_s) - Omega^2 S with that of the bearings. Collective.
    */
   std::vector<StandingMotion> find_standing_motions(const SystemMatrices       &matrices,
-                                                    const SparseValues         &stiffness,
+                                                    const FemMatrix            &stiffness,
                                                     const SystemMatrices::Rate &rate);
 } // namespace vfife
 

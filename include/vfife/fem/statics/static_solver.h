@@ -83,7 +83,7 @@ namespace vfife
     SystemMatrices::Rate body_rate(const StaticLoads &loads) const;
     /** What solves with @p K, which it checks to be positive. */
     LinearSolve
-    prepare(const SystemMatrices &matrices, SparseValues K, unsigned int &n_iterations) const;
+    prepare(const SystemMatrices &matrices, FemMatrix K, unsigned int &n_iterations) const;
 
     const Model              &model_;
     FemOptions                options_;

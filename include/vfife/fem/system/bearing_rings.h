@@ -12,7 +12,7 @@
 namespace vfife
 {
   /** Motions B u of some points of a space, and forces B^T f on them. Of one sector with
-   * two copies of its points (Unknowns) points count through both. */
+   * two copies of its points (FemConstraints) points count through both. */
   struct PointMotion
   {
     std::vector<unsigned int> points;

@@ -11,7 +11,7 @@ namespace vfife
   /** Solves a linear system, the right side in place. */
   using LinearSolve = std::function<void(OwnedVector &)>;
   /** Makes ready what solves with a matrix; may forget the one before. */
-  using PrepareSolve = std::function<LinearSolve(SparseValues)>;
+  using PrepareSolve = std::function<LinearSolve(FemMatrix)>;
 
   struct SpinState
   {

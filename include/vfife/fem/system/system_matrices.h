@@ -2,25 +2,25 @@
 #ifndef vfife_fem_system_system_matrices_h
 #define vfife_fem_system_system_matrices_h
 
-#include <vfife/fem/system/assembly.h>
+#include <vfife/fem/system/fem_system.h>
 #include <vfife/fem/system/finite_strain.h>
 
 namespace vfife
 {
   /**
    * The matrices of small motions u in axes that turn with the body at the rate Omega about its
-   * axis (doc/theory/fem.md), on the unknowns of an assembly, about the state of spin u0:
+   * axis (doc/theory/fem.md), on the unknowns of a system, about the state of spin u0:
    * M u'' + 2 Omega G u' + (K(u0) + C - Omega^2 S) u = f, K the tangent stiffness, C the hub's
    * curvature. All functions are collective; fields are displacements of all points, first copy.
    */
   class SystemMatrices
   {
   public:
-    SystemMatrices(const Assembly &assembly, MassKind mass, StrainMeasure strain);
+    SystemMatrices(const FemSystem &system, MassKind mass, StrainMeasure strain);
 
-    const Assembly &assembly() const
+    const FemSystem &system() const
     {
-      return assembly_;
+      return system_;
     }
 
     /** Angular velocity of a body of the model about its axis [rad/s]. */
@@ -28,13 +28,13 @@ namespace vfife
 
     /** Without stresses of spin, with the model's springs to the ground, bearings and couplings as
      * bodies feel them that turn at @p rate. */
-    SparseValues stiffness(const Rate &rate) const;
-    SparseValues mass() const;
+    FemMatrix stiffness(const Rate &rate) const;
+    FemMatrix mass() const;
 
     /** Omega^2 S with S = m_ab (1 - a a^T): the mass of motions across the axis. */
-    SparseValues spin_mass(const Rate &rate) const;
+    FemMatrix spin_mass(const Rate &rate) const;
     /** Omega G with G = m_ab [a]x, skew. */
-    SparseValues gyroscopic(const Rate &rate) const;
+    FemMatrix gyroscopic(const Rate &rate) const;
 
     using PointMatrices = std::vector<std::pair<unsigned int, Matrix3>>;
 
@@ -45,7 +45,7 @@ namespace vfife
      */
     PointMatrices hub_curvature(const std::vector<double> &u, const Rate &rate) const;
     /** K(u) - Omega^2 S + C of bodies that spin displaced by @p u. */
-    SparseValues spinning_stiffness(const std::vector<double> &u, const Rate &rate) const;
+    FemMatrix spinning_stiffness(const std::vector<double> &u, const Rate &rate) const;
 
     /**
      * What acts on bodies that spin displaced by @p u and is not in balance: Omega^2 S (X + u) -
@@ -69,21 +69,18 @@ namespace vfife
     /** What does not come from the elements: springs to the ground, and hub_curvature(). */
     PointMatrices point_stiffnesses(const std::vector<double> &u, const Rate &rate) const;
     /** @p K and what bearings and couplings add to it. */
-    SparseValues    add_rings(SparseValues K, const Rate &rate) const;
+    FemMatrix       add_rings(FemMatrix K, const Rate &rate) const;
     Eigen::MatrixXd mass_coefficients(unsigned int e) const;
     unsigned int    body(unsigned int e) const;
     const Axis     &axis(unsigned int e) const;
 
-    const Assembly &assembly_;
-    MassKind        mass_;
-    StrainMeasure   strain_;
+    const FemSystem &system_;
+    MassKind         mass_;
+    StrainMeasure    strain_;
   };
 
   /** The same rate [rad/s] for whatever body. */
   SystemMatrices::Rate constant_rate(double rate);
-
-  /** a + factor * b. */
-  SparseValues add_scaled(SparseValues a, double factor, const SparseValues &b);
 } // namespace vfife
 
 #endif

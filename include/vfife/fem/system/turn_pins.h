@@ -2,7 +2,7 @@
 #ifndef vfife_fem_system_turn_pins_h
 #define vfife_fem_system_turn_pins_h
 
-#include <vfife/fem/system/assembly.h>
+#include <vfife/fem/system/fem_system.h>
 
 #include <vector>
 
@@ -20,8 +20,8 @@ namespace vfife
    * their bearings: it carries nothing where loads have no moment about the axis, so that its
    * stiffness (the mean entry of K at the ring's radius) does not matter. Collective.
    */
-  SparseValues
-  add_turn_pins(const Assembly &assembly, const std::vector<unsigned int> &bodies, SparseValues K);
+  FemMatrix
+  add_turn_pins(const FemSystem &system, const std::vector<unsigned int> &bodies, FemMatrix K);
 } // namespace vfife
 
 #endif

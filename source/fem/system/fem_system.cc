@@ -1,21 +1,21 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/communicator.h>
-#include <vfife/fem/system/assembly.h>
+#include <vfife/fem/system/fem_system.h>
 
 #include <algorithm>
 
 namespace vfife
 {
-  Assembly::Assembly(const FemSpace          &space,
-                     const Unknowns::Options &options,
-                     const Communicator      &communicator,
-                     Links                    links,
-                     const HousingLaw         housing)
+  FemSystem::FemSystem(const FemSpace                &space,
+                       const FemConstraints::Options &options,
+                       const Communicator            &communicator,
+                       Links                          links,
+                       const HousingLaw               housing)
     : space_(space)
     , communicator_(communicator)
-    , unknowns_(space, options, communicator.size())
-    , first_(unknowns_.first(communicator.rank()))
-    , last_(unknowns_.first(communicator.rank() + 1))
+    , constraints_(space, options, communicator.size())
+    , first_(constraints_.first(communicator.rank()))
+    , last_(constraints_.first(communicator.rank() + 1))
     , links_(std::move(links))
     , rings_(space, housing, options.harmonic)
   {
@@ -26,7 +26,7 @@ namespace vfife
     make_pattern();
   }
 
-  void Assembly::find_elements()
+  void FemSystem::find_elements()
   {
     const unsigned int n_local = space_.points_per_element();
     const std::size_t  copy    = 3 * static_cast<std::size_t>(space_.n_points());
@@ -36,18 +36,19 @@ namespace vfife
         // it.
         bool mine = false;
         for (unsigned int a = 0; a < n_local && !mine; ++a)
-          for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
+          for (unsigned int k = 0; k < constraints_.n_copies(); ++k)
             {
               const std::size_t row = k * copy + 3 * std::size_t(space_.element_points(e)[a]);
-              for (const auto *t = unknowns_.begin(row); t != unknowns_.end(row + 2); ++t)
-                mine = mine || is_mine(t->unknown);
+              for (unsigned int c = 0; c < 3; ++c)
+                for (const auto &term : constraints_.line(row + c))
+                  mine = mine || is_mine(term.first);
             }
         if (mine)
           elements_.push_back(e);
       }
   }
 
-  void Assembly::make_pattern()
+  void FemSystem::make_pattern()
   {
     const unsigned int n_local = space_.points_per_element();
     const std::size_t  copy    = 3 * static_cast<std::size_t>(space_.n_points());
@@ -62,14 +63,14 @@ namespace vfife
     // So does a link, points that something else joins, such as those of a contact spring.
     const auto touched_by =
       [&](const std::size_t offset, const unsigned int *points, const unsigned int n) {
-        // All unknowns that the three components of these points depend on: terms of rows row ...
-        // row + 2 lie behind each other.
+        // All unknowns that the three components of these points depend on.
         std::vector<int> touched;
         for (unsigned int a = 0; a < n; ++a)
           {
             const std::size_t row = offset + 3 * std::size_t(points[a]);
-            for (const auto *t = unknowns_.begin(row); t != unknowns_.end(row + 2); ++t)
-              touched.push_back(t->unknown);
+            for (unsigned int c = 0; c < 3; ++c)
+              for (const auto &term : constraints_.line(row + c))
+                touched.push_back(term.first);
           }
         compress(touched);
         return touched;
@@ -89,7 +90,7 @@ namespace vfife
           }
     };
     const auto couple = [&](const unsigned int *points, const unsigned int n) {
-      for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
+      for (unsigned int k = 0; k < constraints_.n_copies(); ++k)
         {
           const std::vector<int> touched = touched_by(k * copy, points, n);
           meet(touched, touched);
@@ -108,96 +109,90 @@ namespace vfife
           meet(of_rings[i], of_rings[j]);
     // Compressed rows: row i has the columns from begin[i] to begin[i + 1]. A list is given back as
     // soon as it is copied: the pattern is not twice in memory.
-    pattern_.n         = unknowns_.n();
-    pattern_.first_row = first_;
-    pattern_.begin.push_back(0);
+    SparsePattern pattern;
+    pattern.communicator = &communicator_;
+    pattern.n            = constraints_.n();
+    pattern.first_row    = first_;
+    pattern.begin.push_back(0);
     for (unsigned int i = 0; i < rows.size(); ++i)
       {
         rows[i].push_back(first_ + i); // padding has a diagonal only
         compress(rows[i]);
-        pattern_.columns.insert(pattern_.columns.end(), rows[i].begin(), rows[i].end());
-        pattern_.begin.push_back(pattern_.columns.size());
+        pattern.columns.insert(pattern.columns.end(), rows[i].begin(), rows[i].end());
+        pattern.begin.push_back(pattern.columns.size());
         std::vector<int>().swap(rows[i]);
       }
+    pattern_ = std::make_shared<const SparsePattern>(std::move(pattern));
   }
 
-  std::size_t Assembly::find_entry(const unsigned int row, const unsigned int column) const
+  void FemSystem::add(const std::size_t      row_offset,
+                      const unsigned int    *row_points,
+                      const unsigned int    *column_points,
+                      const Eigen::MatrixXd &A,
+                      FemMatrix             &sum) const
   {
-    // Columns of a row ascend.
-    const auto from = pattern_.columns.begin() + pattern_.begin[row - first_];
-    const auto to   = pattern_.columns.begin() + pattern_.begin[row - first_ + 1];
-    return std::lower_bound(from, to, static_cast<int>(column)) - pattern_.columns.begin();
-  }
-
-  void Assembly::add(const std::size_t      row_offset,
-                     const unsigned int    *row_points,
-                     const unsigned int    *column_points,
-                     const Eigen::MatrixXd &A,
-                     SparseValues          &values) const
-  {
-    // (T^T A T)_st = sum_ij T_is A_ij T_jt; rows of T are the terms of the displacements.
-    const auto row_of = [row_offset](const unsigned int *points, const int i) {
-      return row_offset + 3 * static_cast<std::size_t>(points[i / 3]) + i % 3;
+    // (T^T A T)_st = sum_ij T_is A_ij T_jt; rows of T are the lines of the displacements.
+    const auto line_of = [&](const unsigned int *points,
+                             const int           i) -> const FemConstraints::Line & {
+      return constraints_.line(row_offset + 3 * static_cast<std::size_t>(points[i / 3]) + i % 3);
     };
+    std::vector<const FemConstraints::Line *> columns(A.cols());
+    for (int j = 0; j < A.cols(); ++j)
+      columns[j] = &line_of(column_points, j);
     for (int i = 0; i < A.rows(); ++i)
-      for (const auto *s = unknowns_.begin(row_of(row_points, i));
-           s != unknowns_.end(row_of(row_points, i));
-           ++s)
+      for (const auto &[row, of_row] : line_of(row_points, i))
         {
-          if (!is_mine(s->unknown))
+          if (!is_mine(row))
             continue;
           for (int j = 0; j < A.cols(); ++j)
             // Consistent masses and all that is "times identity" are two thirds zeros.
             if (A(i, j) != 0)
-              for (const auto *t = unknowns_.begin(row_of(column_points, j));
-                   t != unknowns_.end(row_of(column_points, j));
-                   ++t)
-                values[find_entry(s->unknown, t->unknown)] +=
-                  s->coefficient * t->coefficient * A(i, j);
+              for (const auto &[column, of_column] : *columns[j])
+                sum.at(row, column) += of_row * of_column * A(i, j);
         }
   }
 
-  SparseValues Assembly::matrix(const ElementMatrix &element) const
+  FemMatrix FemSystem::matrix(const ElementMatrix &element) const
   {
-    SparseValues      values(pattern_.columns.size(), 0.);
+    FemMatrix         sum(pattern_);
     const std::size_t copy = 3 * static_cast<std::size_t>(space_.n_points());
     for (const unsigned int e : elements_)
       {
         const Eigen::MatrixXd A = element(e);
-        for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
-          add(k * copy, space_.element_points(e), A, values);
+        for (unsigned int k = 0; k < constraints_.n_copies(); ++k)
+          add(k * copy, space_.element_points(e), space_.element_points(e), A, sum);
       }
-    return values;
+    return sum;
   }
 
-  SparseValues
-  Assembly::point_matrix(const std::vector<std::pair<unsigned int, Matrix3>> &points) const
+  FemMatrix
+  FemSystem::point_matrix(const std::vector<std::pair<unsigned int, Matrix3>> &points) const
   {
-    SparseValues      values(pattern_.columns.size(), 0.);
+    FemMatrix         sum(pattern_);
     const std::size_t copy = 3 * static_cast<std::size_t>(space_.n_points());
     for (const auto &point : points)
-      for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
+      for (unsigned int k = 0; k < constraints_.n_copies(); ++k)
         {
           const unsigned int index = point.first;
-          add(k * copy, &index, point.second, values);
+          add(k * copy, &index, &index, point.second, sum);
         }
-    return values;
+    return sum;
   }
 
-  SparseValues
-  Assembly::link_matrix(const std::function<Eigen::MatrixXd(unsigned int link)> &link) const
+  FemMatrix
+  FemSystem::link_matrix(const std::function<Eigen::MatrixXd(unsigned int link)> &link) const
   {
-    SparseValues      values(pattern_.columns.size(), 0.);
+    FemMatrix         sum(pattern_);
     const std::size_t copy = 3 * static_cast<std::size_t>(space_.n_points());
     for (unsigned int l = 0; l < links_.size(); ++l)
-      for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
-        add(k * copy, links_[l].data(), link(l), values);
-    return values;
+      for (unsigned int k = 0; k < constraints_.n_copies(); ++k)
+        add(k * copy, links_[l].data(), links_[l].data(), link(l), sum);
+    return sum;
   }
 
-  SparseValues Assembly::ring_matrix(const Eigen::MatrixXd &stiffness) const
+  FemMatrix FemSystem::ring_matrix(const Eigen::MatrixXd &stiffness) const
   {
-    SparseValues values(pattern_.columns.size(), 0.);
+    FemMatrix sum(pattern_);
     // Points of a ring count through all copies.
     const std::vector<BearingRing> &rings = rings_.list();
     for (std::size_t i = 0; i < rings.size(); ++i)
@@ -207,11 +202,11 @@ namespace vfife
               rings[i].points.data(),
               rings[j].points.data(),
               rings[i].motion.transpose() * stiffness.block<6, 6>(6 * i, 6 * j) * rings[j].motion,
-              values);
-    return values;
+              sum);
+    return sum;
   }
 
-  OwnedVector Assembly::vector(const ElementVector &element) const
+  OwnedVector FemSystem::vector(const ElementVector &element) const
   {
     OwnedVector       values(last_ - first_, 0.);
     const std::size_t copy = 3 * static_cast<std::size_t>(space_.n_points());
@@ -219,61 +214,53 @@ namespace vfife
       {
         const Eigen::VectorXd f      = element(e);
         const unsigned int   *points = space_.element_points(e);
-        for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
+        for (unsigned int k = 0; k < constraints_.n_copies(); ++k)
           for (int i = 0; i < f.size(); ++i)
             {
               const std::size_t row =
                 k * copy + 3 * static_cast<std::size_t>(points[i / 3]) + i % 3;
-              for (const auto *t = unknowns_.begin(row); t != unknowns_.end(row); ++t)
-                if (is_mine(t->unknown))
-                  values[t->unknown - first_] += t->coefficient * f[i];
+              for (const auto &[unknown, coefficient] : constraints_.line(row))
+                if (is_mine(unknown))
+                  values[unknown - first_] += coefficient * f[i];
             }
       }
     return values;
   }
 
-  OwnedVector Assembly::restrict_forces(const std::vector<double> &forces) const
+  OwnedVector FemSystem::restrict_forces(const std::vector<double> &forces) const
   {
     OwnedVector values(last_ - first_, 0.);
     for (std::size_t row = 0; row < forces.size(); ++row)
-      for (const auto *t = unknowns_.begin(row); t != unknowns_.end(row); ++t)
-        if (is_mine(t->unknown))
-          values[t->unknown - first_] += t->coefficient * forces[row];
+      for (const auto &[unknown, coefficient] : constraints_.line(row))
+        if (is_mine(unknown))
+          values[unknown - first_] += coefficient * forces[row];
     return values;
   }
 
-  void Assembly::set_padding(SparseValues &values, const double value) const
+  void FemSystem::set_padding(FemMatrix &A, const double value) const
   {
     for (unsigned int i = first_; i < last_; ++i)
-      if (unknowns_.is_padding(i))
-        values[find_entry(i, i)] = value;
+      if (constraints_.is_padding(i))
+        A.at(i, i) = value;
   }
 
-  std::vector<double> Assembly::expand(const OwnedVector &q) const
+  std::vector<double> FemSystem::expand(const OwnedVector &q) const
   {
-    return unknowns_.expand(communicator_.all_gather(q));
+    return constraints_.expand(communicator_.all_gather(q));
   }
 
-  OwnedVector Assembly::restrict_field(const std::vector<double> &u) const
+  OwnedVector FemSystem::restrict_field(const std::vector<double> &u) const
   {
-    const std::vector<double> q = unknowns_.restrict_field(u);
+    const std::vector<double> q = constraints_.restrict_field(u);
     return OwnedVector(q.begin() + first_, q.begin() + last_);
   }
 
-  OwnedVector Assembly::diagonal(const SparseValues &values) const
-  {
-    OwnedVector d(last_ - first_);
-    for (unsigned int i = first_; i < last_; ++i)
-      d[i - first_] = values[find_entry(i, i)];
-    return d;
-  }
-
-  double Assembly::mean_diagonal(const SparseValues &values) const
+  double FemSystem::mean_diagonal(const FemMatrix &A) const
   {
     double       sum = 0;
     unsigned int n   = 0;
     // Padding has zero there and does not count.
-    for (const double d : diagonal(values))
+    for (const double d : A.diagonal())
       if (d > 0)
         {
           sum += d;
@@ -282,7 +269,7 @@ namespace vfife
     return communicator_.sum(sum) / communicator_.sum(n);
   }
 
-  double Assembly::dot(const OwnedVector &a, const OwnedVector &b) const
+  double FemSystem::dot(const OwnedVector &a, const OwnedVector &b) const
   {
     double sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i)

@@ -1,22 +1,21 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/text/nearest_name.h>
-#include <vfife/fem/system/point_constraints.h>
-#include <vfife/fem/system/unknowns.h>
+#include <vfife/fem/system/fem_constraints.h>
 #include <vfife/model/body_frame.h>
+
+#include <deal.II/lac/affine_constraints.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
-#include <map>
 #include <set>
 
 namespace vfife
 {
   namespace
   {
-    constexpr unsigned int none = static_cast<unsigned int>(-1);
+    constexpr unsigned int no_unknown = static_cast<unsigned int>(-1);
 
     /** From one sector to the next, fixed frame. */
     Matrix3 sector_turn(const FemSpace &space)
@@ -33,16 +32,25 @@ namespace vfife
                        "nothing is free to move: all nodes of " + list_of(names, true) +
                          " are held in all directions; leave some of them free");
     }
+    void refuse_led_directions(const FemSpace &space)
+    {
+      for (const Constraint &constraint : space.model().constraints)
+        if (constraint.kind == ConstraintKind::directions &&
+            space.find_part(constraint.body) != nullptr && !constraint.displacement.isZero(0.))
+          throw InputError("constraint \"" + constraint.name +
+                           "\": vibrations and contact by conventional finite elements "
+                           "hold directions, they do not prescribe displacements");
+    }
   } // namespace
 
   /** Directions in which a point may move, and the unknowns that belong to them. */
-  struct Unknowns::LocalAxes
+  struct FemConstraints::LocalAxes
   {
-    Matrix3                     columns  = Matrix3::Identity();
-    std::array<bool, 3>         active   = {{true, true, true}};
-    unsigned int                hub      = none;  ///< index of the shared unknown of column 2
-    bool                        is_image = false; ///< or hangs: it has no unknowns of its own
-    std::array<unsigned int, 3> unknown  = {{none, none, none}};
+    Matrix3                     columns = Matrix3::Identity();
+    std::array<bool, 3>         active  = {{true, true, true}};
+    unsigned int                hub     = no_unknown; ///< index of the shared unknown of column 2
+    bool                        follows = false;      ///< others, as it hangs or is their image
+    std::array<unsigned int, 3> unknown = {{no_unknown, no_unknown, no_unknown}};
 
     /** Leaves what @p constraints do not hold. */
     explicit LocalAxes(const NodeConstraints &constraints)
@@ -54,7 +62,10 @@ namespace vfife
     LocalAxes() = default;
   };
 
-  Unknowns::Unknowns(const FemSpace &space, const Options &options, const unsigned int n_ranks)
+  FemConstraints::FemConstraints(const FemSpace    &space,
+                                 const Options     &options,
+                                 const unsigned int n_ranks)
+    : lines_(std::make_unique<dealii::AffineConstraints<double>>())
   {
     const double       angle = space.sector_angle();
     const unsigned int n     = angle > 0 ? std::lround(2. * pi / angle) : 0;
@@ -63,34 +74,26 @@ namespace vfife
                        std::to_string(n / 2) + ", not " + std::to_string(options.harmonic));
     // One copy is enough for h = 0 and h = N/2, where exp(i h angle) is 1 or -1.
     n_copies_ = options.harmonic > 0 && 2 * options.harmonic < n ? 2 : 1;
+    if (!options.led_are_held)
+      refuse_led_directions(space);
 
-    // Three passes: what is free at each point, who owns it and which
-    // number it gets, then the rows of T.
+    // Three passes: the free directions of each point, their owners and numbers, the lines.
     std::vector<LocalAxes> axes = make_axes(space, options);
     number(space, options.padded, n_ranks, axes);
-    fill_terms(space, options, axes);
-    if (std::find(padding_.begin(), padding_.end(), 0) == padding_.end())
+    if (std::find(padding_.begin(), padding_.end(), false) == padding_.end())
       refuse_held_bodies(space);
+    add_lines(space, options, axes);
   }
 
-  void Unknowns::refuse_led_directions(const FemSpace &space, const Options &options)
-  {
-    for (const Constraint &constraint : space.model().constraints)
-      if (constraint.kind == ConstraintKind::directions && !options.led_are_held &&
-          space.find_part(constraint.body) != nullptr && !constraint.displacement.isZero(0.))
-        throw InputError("constraint \"" + constraint.name +
-                         "\": vibrations and contact by conventional finite elements "
-                         "hold directions, they do not prescribe displacements");
-  }
+  FemConstraints::~FemConstraints() = default;
 
-  std::vector<Unknowns::LocalAxes> Unknowns::make_axes(const FemSpace &space,
-                                                       const Options  &options) const
+  std::vector<FemConstraints::LocalAxes> FemConstraints::make_axes(const FemSpace &space,
+                                                                   const Options  &options) const
   {
     const Model                 &model    = space.model();
     const unsigned int           n_points = space.n_points();
     std::vector<LocalAxes>       axes(n_points);
     std::set<const Constraint *> met; // that let points turn
-    refuse_led_directions(space, options);
     for (const auto &[p, constraints] : find_point_constraints(space))
       {
         LocalAxes &local                = axes[p];
@@ -119,8 +122,8 @@ namespace vfife
     // A point that hangs moves as its masters do, whatever holds it.
     for (const auto &hanging : space.hanging())
       {
-        axes[hanging.first]          = LocalAxes();
-        axes[hanging.first].is_image = true;
+        axes[hanging.first]         = LocalAxes();
+        axes[hanging.first].follows = true;
       }
     for (const auto &[image, original] : space.images())
       if (space.hanging().count(image) != 0)
@@ -131,7 +134,7 @@ namespace vfife
           axes[image].columns = sector_turn(space) * axes[original].columns;
         }
       else
-        axes[image].is_image = true;
+        axes[image].follows = true;
 
     std::vector<LocalAxes> all = axes;
     if (n_copies_ == 2)
@@ -139,20 +142,20 @@ namespace vfife
     return all;
   }
 
-  void Unknowns::number(const FemSpace         &space,
-                        const bool              padded,
-                        const unsigned int      n_ranks,
-                        std::vector<LocalAxes> &axes)
+  void FemConstraints::number(const FemSpace         &space,
+                              const bool              padded,
+                              const unsigned int      n_ranks,
+                              std::vector<LocalAxes> &axes)
   {
     // A point belongs to the rank of its first element; elements are dealt out in equal runs.
     const unsigned int        n_points   = space.n_points();
     const unsigned int        n_elements = space.n_elements();
-    std::vector<unsigned int> rank(n_points, none);
+    std::vector<unsigned int> rank(n_points, no_unknown);
     for (unsigned int e = 0; e < n_elements; ++e)
       for (unsigned int a = 0; a < space.points_per_element(); ++a)
         {
           unsigned int &r = rank[space.element_points(e)[a]];
-          if (r == none)
+          if (r == no_unknown)
             r = static_cast<unsigned long long>(e) * n_ranks / n_elements;
         }
 
@@ -163,20 +166,20 @@ namespace vfife
         for (std::size_t i = 0; i < axes.size(); ++i)
           {
             LocalAxes &local = axes[i];
-            if (rank[i % n_points] != r || (local.is_image && !padded))
+            if (rank[i % n_points] != r || (local.follows && !padded))
               continue;
             for (unsigned int k = 0; k < 3; ++k)
               {
                 // A rigid hub's angle gets its number at the hub's first
                 // point; later points refer to it.
-                const bool shared = local.hub != none && hubs.count(local.hub) != 0;
-                const bool acts   = local.active[k] && !local.is_image;
+                const bool shared = local.hub != no_unknown && hubs.count(local.hub) != 0;
+                const bool acts   = local.active[k] && !local.follows;
                 if (acts && shared)
                   local.unknown[k] = hubs.at(local.hub);
                 else if (acts)
                   {
                     local.unknown[k] = padding_.size();
-                    if (local.hub != none)
+                    if (local.hub != no_unknown)
                       hubs.emplace(local.hub, local.unknown[k]);
                   }
                 // Padding: three numbers a point, whatever acts.
@@ -188,95 +191,100 @@ namespace vfife
     first_.push_back(padding_.size());
   }
 
-  void Unknowns::fill_terms(const FemSpace               &space,
-                            const Options                &options,
-                            const std::vector<LocalAxes> &axes)
+  void FemConstraints::add_lines(const FemSpace               &space,
+                                 const Options                &options,
+                                 const std::vector<LocalAxes> &axes)
   {
     const unsigned int n_points = space.n_points();
-    // By copy: which point it is the image of.
-    std::map<unsigned int, unsigned int> original;
-    if (!options.open)
-      original.insert(space.images().begin(), space.images().end());
-
-    const Matrix3 turn  = original.empty() ? Matrix3::Identity() : sector_turn(space);
-    const double  phase = options.harmonic * space.sector_angle();
-
-    // By unknown, in the order met; a point that hangs may meet one several times.
-    std::vector<Term> row;
-    const auto        add = [&](const unsigned int unknown, const double coefficient) {
-      for (Term &term : row)
-        if (term.unknown == unknown)
-          {
-            term.coefficient += coefficient;
-            return;
-          }
-      row.push_back({unknown, coefficient});
+    const auto         row_of   = [this](const std::size_t point, const unsigned int component) {
+      return n() + 3 * point + component;
     };
-    // Adds factor times the displacement of a point along c.
-    const std::function<void(std::size_t, const Matrix3 &, unsigned int)> add_point =
-      [&](const std::size_t i, const Matrix3 &factor, const unsigned int c) {
-        const unsigned int p       = i % n_points;
-        const bool         second  = i >= n_points; // imaginary part
-        const auto         hanging = space.hanging().find(p);
-        const auto         found   = original.find(p);
-        if (hanging != space.hanging().end())
-          for (const auto &[master, weight] : hanging->second)
-            add_point(master + (second ? n_points : 0), weight * factor, c);
-        else if (found != original.end())
-          {
-            // (a + i b) exp(i phase): the real part of the image takes a cos - b sin.
-            add_point(found->second + (second ? n_points : 0),
-                      std::cos(phase) * (factor * turn),
-                      c);
-            if (n_copies_ == 2)
-              add_point(found->second + (second ? 0 : n_points),
-                        (second ? 1. : -1.) * std::sin(phase) * (factor * turn),
-                        c);
-          }
-        else
-          for (unsigned int k = 0; k < 3; ++k)
-            if (axes[i].unknown[k] != none)
-              // u_c = sum_k columns(c, k) q_k; an image takes those of its original, turned.
-              add(axes[i].unknown[k], factor.row(c).dot(axes[i].columns.col(k)));
-      };
-    start_.push_back(0);
     for (std::size_t i = 0; i < axes.size(); ++i)
       for (unsigned int c = 0; c < 3; ++c)
         {
-          row.clear();
-          add_point(i, Matrix3::Identity(), c);
-          terms_.insert(terms_.end(), row.begin(), row.end());
-          start_.push_back(terms_.size());
+          lines_->add_line(row_of(i, c));
+          for (unsigned int k = 0; k < 3; ++k)
+            if (axes[i].unknown[k] != no_unknown)
+              lines_->add_entry(row_of(i, c), axes[i].unknown[k], axes[i].columns(c, k));
         }
     hangs_.assign(n_points, false);
-    for (const auto &hanging : space.hanging())
-      hangs_[hanging.first] = true;
+    for (const auto &[point, masters] : space.hanging())
+      {
+        hangs_[point] = true;
+        for (unsigned int copy = 0; copy < n_copies_; ++copy)
+          for (const auto &[master, weight] : masters)
+            for (unsigned int c = 0; c < 3; ++c)
+              lines_->add_entry(row_of(copy * n_points + point, c),
+                                row_of(copy * n_points + master, c),
+                                weight);
+      }
+    if (!options.open && !space.images().empty())
+      {
+        const Matrix3 turn  = sector_turn(space);
+        const double  phase = options.harmonic * space.sector_angle();
+        // (a + i b) exp(i phase): the real part of the image takes a cos - b sin.
+        const auto follow =
+          [&](const std::size_t image, const std::size_t original, const double factor) {
+            for (unsigned int c = 0; c < 3; ++c)
+              for (unsigned int d = 0; d < 3; ++d)
+                lines_->add_entry(row_of(image, c), row_of(original, d), factor * turn(c, d));
+          };
+        for (const auto &[image, original] : space.images())
+          if (!hangs_[image])
+            for (unsigned int copy = 0; copy < n_copies_; ++copy)
+              {
+                const std::size_t own = copy * std::size_t(n_points), other = n_points - own;
+                follow(own + image, own + original, std::cos(phase));
+                if (n_copies_ == 2)
+                  follow(own + image, other + original, (copy == 0 ? -1. : 1.) * std::sin(phase));
+              }
+      }
+    lines_->close(); // follows points that follow others
   }
 
-  std::vector<double> Unknowns::expand(const std::vector<double> &q) const
+  const FemConstraints::Line &FemConstraints::line(const std::size_t row) const
   {
-    std::vector<double> u(n_rows(), 0.);
+    return *lines_->get_constraint_entries(n() + row);
+  }
+
+  std::vector<double> FemConstraints::expand(const std::vector<double> &q) const
+  {
+    std::vector<double> u(3 * n_copies_ * hangs_.size(), 0.);
     for (std::size_t row = 0; row < u.size(); ++row)
-      for (const Term *t = begin(row); t != end(row); ++t)
-        u[row] += t->coefficient * q[t->unknown];
+      for (const auto &[unknown, coefficient] : line(row))
+        u[row] += coefficient * q[unknown];
     return u;
   }
 
-  std::vector<double> Unknowns::restrict_field(const std::vector<double> &u) const
+  std::vector<double> FemConstraints::restrict_field(const std::vector<double> &u) const
   {
     std::vector<double> q(n(), 0.), weight(n(), 0.);
-    // Points that hang follow from the others.
     for (std::size_t row = 0; row < u.size(); ++row)
-      for (const Term *t = begin(row); t != end(row) && !hangs_[row / 3 % hangs_.size()]; ++t)
-        {
-          // q_i = (sum of T_ri u_r) / (sum of T_ri^2), T having orthogonal columns.
-          q[t->unknown] += t->coefficient * u[row];
-          weight[t->unknown] += t->coefficient * t->coefficient;
-        }
+      if (!hangs_[row / 3 % hangs_.size()]) // those follow from the others
+        for (const auto &[unknown, coefficient] : line(row))
+          {
+            // q_i = (sum of T_ri u_r) / (sum of T_ri^2), T having orthogonal columns.
+            q[unknown] += coefficient * u[row];
+            weight[unknown] += coefficient * coefficient;
+          }
     for (std::size_t i = 0; i < q.size(); ++i)
       if (weight[i] > 0)
         q[i] /= weight[i];
     return q;
+  }
+
+  std::map<unsigned int, NodeConstraints> find_point_constraints(const FemSpace &space)
+  {
+    std::map<unsigned int, NodeConstraints> points;
+    const Model                            &model = space.model();
+    for (const Constraint &constraint : model.constraints)
+      if (const FemSpace::Part *part = space.find_part(constraint.body))
+        for (const unsigned int p : space.points_of(*part, constraint.nodes))
+          points.try_emplace(p, model.bodies[constraint.body], space.points()[p])
+            .first->second.add(constraint);
+    for (const auto &[p, constraints] : points)
+      constraints.check();
+    return points;
   }
 
   std::vector<double>

@@ -1,16 +1,26 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_fem_system_unknowns_h
-#define vfife_fem_system_unknowns_h
+#ifndef vfife_fem_system_fem_constraints_h
+#define vfife_fem_system_fem_constraints_h
 
 #include <vfife/fem/system/fem_space.h>
+#include <vfife/model/constraints/node_constraints.h>
 
-#include <cstdint>
+#include <deal.II/base/types.h>
+
 #include <functional>
+#include <map>
+#include <memory>
 #include <vector>
+
+namespace dealii
+{
+  template <typename>
+  class AffineConstraints;
+}
 
 namespace vfife
 {
-  /** What hubs that turn freely (free rotation, rigid hub) do about the axis. */
+  /** Rotation of hubs that turn freely (free rotation, rigid hub) about the axis. */
   enum class HubRotation
   {
     free,
@@ -19,29 +29,27 @@ namespace vfife
   };
 
   /**
-   * What remains of the displacements u (3 a point) under the constraints of the model: u = T q.
-   * Held points and points of a prescribed rotation have none (the system turns with the body),
-   * free rotation leaves the tangential displacement, a rigid hub one common angle, constraints of
-   * one point together what no held direction spans (NodeConstraints). Unknowns are numbered rank
-   * by rank, each rank owning a run of them. Equal on all ranks.
+   * The displacements u (3 per point) under the constraints of the model: u = T q, as lines of
+   * dealii::AffineConstraints. The indices of q come first in them, then those of u. Held points
+   * and points of a prescribed rotation have no unknowns (the system turns with the body), free
+   * rotation leaves the tangential displacement, a rigid hub one common angle, constraints of one
+   * point together what no held direction spans (NodeConstraints). Unknowns are numbered rank by
+   * rank, each rank owning a run of them. Equal on all ranks.
    *
    * For a sector of a cyclic body, displacements are the real part of phasors whose value turns by
    * exp(i h angle) from one sector to the next, h the harmonic: points of the next sector are
    * images u' = R u exp(i h angle). With 0 < h < N/2 there are two copies of all points, real part
    * first.
    */
-  class Unknowns
+  class FemConstraints
   {
   public:
-    struct Term
-    {
-      unsigned int unknown;
-      double       coefficient;
-    };
+    /** A displacement as sum of unknowns: (unknown, coefficient), ascending. */
+    using Line = std::vector<std::pair<dealii::types::global_dof_index, double>>;
 
     struct Options
     {
-      /** Three unknowns a point also where constraints leave less: those left over do not act.
+      /** Three unknowns per point also where constraints leave less: those left over do not act.
        * Multigrid wants it. */
       bool         padded   = false;
       unsigned int harmonic = 0; ///< of a sector
@@ -53,8 +61,14 @@ namespace vfife
       bool led_are_held = false;
     };
 
-    Unknowns(const FemSpace &space, const Options &options, unsigned int n_ranks);
+    /** Throws InputError for a harmonic that the sectors do not have, for constraints in conflict
+     * and where nothing is free to move. */
+    FemConstraints(const FemSpace &space, const Options &options, unsigned int n_ranks);
+    FemConstraints(const FemConstraints &)            = delete;
+    FemConstraints &operator=(const FemConstraints &) = delete;
+    ~FemConstraints();
 
+    /** Number of unknowns. */
     unsigned int n() const
     {
       return padding_.size();
@@ -69,19 +83,8 @@ namespace vfife
       return first_[r];
     }
 
-    /** Displacement of (3 * (copy * points + point) + component) as sum of unknowns. */
-    const Term *begin(const std::size_t row) const
-    {
-      return terms_.data() + start_[row];
-    }
-    const Term *end(const std::size_t row) const
-    {
-      return terms_.data() + start_[row + 1];
-    }
-    std::size_t n_rows() const
-    {
-      return start_.size() - 1;
-    }
+    /** Line of the displacement 3 * (copy * points + point) + component. */
+    const Line &line(std::size_t row) const;
 
     bool is_padding(const unsigned int unknown) const
     {
@@ -96,24 +99,27 @@ namespace vfife
 
   private:
     struct LocalAxes;
-    static void            refuse_led_directions(const FemSpace &space, const Options &options);
     std::vector<LocalAxes> make_axes(const FemSpace &space, const Options &options) const;
     void
     number(const FemSpace &space, bool padded, unsigned int n_ranks, std::vector<LocalAxes> &axes);
     void
-    fill_terms(const FemSpace &space, const Options &options, const std::vector<LocalAxes> &axes);
+    add_lines(const FemSpace &space, const Options &options, const std::vector<LocalAxes> &axes);
 
-    unsigned int              n_copies_ = 1;
-    std::vector<unsigned int> first_;
-    std::vector<std::uint8_t> padding_;
-    std::vector<bool>         hangs_; ///< by point
-    std::vector<std::size_t>  start_;
-    std::vector<Term>         terms_;
+    unsigned int                                       n_copies_ = 1;
+    std::vector<unsigned int>                          first_;
+    std::vector<bool>                                  padding_;
+    std::vector<bool>                                  hangs_; ///< by point
+    std::unique_ptr<dealii::AffineConstraints<double>> lines_;
   };
 
+  /** The checked constraints of all points of a space that have any, by point; as
+   * combine_constraints(), with the points of quadratic elements between the nodes. */
+  std::map<unsigned int, NodeConstraints> find_point_constraints(const FemSpace &space);
+
   /**
-   * Displacements of all points (3 a point) [mm] that the constraints prescribe, zero elsewhere and
-   * along free directions: constraints of directions, and rotations by an angle, taken as small.
+   * Displacements of all points (3 per point) [mm] that the constraints prescribe, zero elsewhere
+   * and along free directions: constraints of directions, and rotations by an angle, taken as
+   * small.
    * @p factor: of the constraint's value. Throws InputError where constraints of a point contradict
    * each other.
    */
@@ -123,7 +129,7 @@ namespace vfife
 
   /**
    * Rigid motions of body @p part that the model's constraints leave free, as displacements of all
-   * points (one vector a motion, zero on other bodies).
+   * points (one vector per motion, zero on other bodies).
    */
   std::vector<std::vector<double>> find_free_motions(const FemSpace       &space,
                                                      const FemSpace::Part &part);
