@@ -183,7 +183,7 @@ namespace
             for (unsigned int k = 0; k < 4; ++k)
               if (edge_number(flank, f, k) != 0)
                 edges.push_back({{patch[flank.facets[f][k]], patch[flank.facets[f][(k + 1) % 4]]}});
-          near[b]             = find_near_layer(d, patch, {}, depth, edges);
+          near[b]             = find_near_layer(d, patch, NodeAverages(d), {}, depth, edges);
           side.near           = &near[b];
           side.youngs_modulus = model.bodies[b].materials().front().youngs_modulus;
           side.poissons_ratio = model.bodies[b].materials().front().poissons_ratio;

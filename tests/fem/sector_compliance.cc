@@ -84,10 +84,13 @@ namespace
   }
 
   /** The loaded pair both ways. */
-  void pair(const std::string &name, const Model &model, const Communicator &communicator)
+  void pair(const std::string  &name,
+            const Model        &model,
+            const Communicator &communicator,
+            const FemOptions   &options = lumped_masses())
   {
     const auto find = [&](const Factorized factorized) {
-      Compliance compliance(model, lumped_masses(), true, communicator, factorized);
+      Compliance compliance(model, options, true, communicator, factorized);
       check(name + ": sectors or bodies",
             compliance.by_sectors() == (factorized == Factorized::sectors));
       PairEquilibrium equilibrium(model, compliance, {.1});
@@ -142,6 +145,9 @@ int main(int argc, char **argv)
     if (constraint.kind == ConstraintKind::rigid_hub)
       constraint.kind = ConstraintKind::free_rotation;
   pair("pair that turns freely", held, world);
+  FemOptions divided       = lumped_masses();
+  divided.local_refinement = {"concave 1"};
+  pair("pair with divided flanks", held, world, divided);
 
   // What is not alike in all sectors is left to the whole body.
   Model pushed = make_wheel(ConstraintKind::prescribed_rotation, 0.);

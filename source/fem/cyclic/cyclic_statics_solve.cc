@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Forces and displacements of all sectors, with the factors of CyclicStatics.
 #include <vfife/base/complex.h>
+#include <vfife/base/errors.h>
 #include <vfife/fem/cyclic/cyclic_statics.h>
 #include <vfife/model/body_frame.h>
 
@@ -94,17 +95,25 @@ namespace vfife
     return u;
   }
 
-  void CyclicStatics::watch(std::vector<unsigned int> points)
+  void CyclicStatics::watch(std::vector<Watched> points)
   {
     // 1. The points as copies of those of sector 0.
     watched_ = std::move(points);
-    std::set<unsigned int> originals, sectors;
-    for (const unsigned int point : watched_)
+    std::map<unsigned int, const Watched *> originals;
+    std::set<unsigned int>                  sectors;
+    for (const Watched &watched : watched_)
       {
-        originals.insert(copies_.original_of(point));
-        sectors.insert(copies_.sector_of(point));
+        const unsigned int sector = copies_.sector_of(watched.point);
+        for (const auto &weight : watched.weights)
+          if (copies_.sector_of(weight.first) != sector)
+            throw InputError("body \"" + body_.body().name() +
+                             "\": a surface in contact goes across the border of two sectors");
+        originals.emplace(copies_.original_of(watched.point), &watched);
+        sectors.insert(sector);
       }
-    locals_.assign(originals.begin(), originals.end());
+    locals_.clear();
+    for (const auto &original : originals)
+      locals_.push_back(original.first);
     flexibility_.clear();
     if (watched_.empty())
       return;
@@ -116,11 +125,14 @@ namespace vfife
     std::vector<double> unit(3 * std::size_t(body_.sector().n_points()), 0.);
     for (unsigned int i = 0; i < m; ++i)
       {
-        double &one             = unit[3 * std::size_t(locals_[i / 3]) + i % 3];
-        one                     = 1.;
+        const auto set = [&](const double force) {
+          for (const auto &[point, weight] : originals.at(locals_[i / 3])->weights)
+            unit[3 * std::size_t(copies_.original_of(point)) + i % 3] = force * weight;
+        };
+        set(1.);
         const OwnedVector force = sector_->restrict_forces(unit);
         x.col(i)                = Eigen::Map<const Eigen::VectorXd>(force.data(), force.size());
-        one                     = 0.;
+        set(0.);
       }
     const Eigen::MatrixXd forces = x;
     condensed_->solve(x, [&loads](const Eigen::MatrixXd &on_borders) -> Eigen::MatrixXd {
@@ -158,20 +170,28 @@ namespace vfife
                   locals_.begin());
     };
     // The force in the axes of its sector, each displacement in those of its own.
-    const unsigned int at = watched_[watched], from = copies_.sector_of(at);
+    const unsigned int at = watched_[watched].point, from = copies_.sector_of(at);
     const Vector3      force = turned(from).transpose().col(component);
     Eigen::Vector2d    held  = Eigen::Vector2d::Zero();
     if (pinned_)
-      held = pin_compliance_ * pin_fields_.row(3 * std::size_t(at) + component).transpose();
+      held = pin_compliance_ * pin_field_of(watched_[watched]).row(component).transpose();
     Eigen::VectorXd u(3 * watched_.size());
     for (std::size_t i = 0; i < watched_.size(); ++i)
       {
-        const unsigned int     point = watched_[i], to = copies_.sector_of(point);
+        const unsigned int     point = watched_[i].point, to = copies_.sector_of(point);
         const Eigen::MatrixXd &A = flexibility_.at((to + n_sectors - from) % n_sectors);
         u.segment<3>(3 * i)      = turned(to) * A.block<3, 3>(local(point), local(at)) * force;
         if (pinned_)
-          u.segment<3>(3 * i) -= pin_fields_.middleRows<3>(3 * std::size_t(point)) * held;
+          u.segment<3>(3 * i) -= pin_field_of(watched_[i]) * held;
       }
     return u;
+  }
+
+  Eigen::MatrixXd CyclicStatics::pin_field_of(const Watched &watched) const
+  {
+    Eigen::MatrixXd mean = Eigen::MatrixXd::Zero(3, pin_fields_.cols());
+    for (const auto &[point, weight] : watched.weights)
+      mean += weight * pin_fields_.middleRows<3>(3 * std::size_t(point));
+    return mean;
   }
 } // namespace vfife

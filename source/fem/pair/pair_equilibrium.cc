@@ -23,16 +23,6 @@ namespace vfife
     }
   } // namespace
 
-  void require_undivided(const FemSpaceOptions &options)
-  {
-    // Forces on nodes that are far from each other would dent divided elements.
-    if (!options.local_refinement.empty())
-      throw InputError("Fem/local refinement",
-                       "expected none with tooth contact, got one: contact forces act on the nodes "
-                       "of the body, and divided elements have points between them. Set "
-                       "Fem/element = quadratic, or make the mesh of the body finer.");
-  }
-
   PairEquilibrium::PairEquilibrium(const Model               &model,
                                    Compliance                &compliance,
                                    const std::vector<double> &driver_turns)
@@ -41,7 +31,6 @@ namespace vfife
     , pair_(model)
   {
     const unsigned int driven = model.transmission->driven;
-    require_undivided(compliance.space().options());
     if (!compliance.turns_freely(driven))
       throw InputError("body \"" + model.bodies[driven].name() +
                        "\" is driven and carries a torque, but something holds its turn about its "
@@ -220,10 +209,12 @@ namespace vfife
     result.turn_slope = slope.second;
     for (const PressedPair::Spring &spring : pair_.find_springs())
       {
-        ContactTie tie{spring.nodes, spring.stiffness};
-        for (auto &point : tie.points)
-          point.first = compliance_.watched()[point.first];
-        result.ties.push_back(tie);
+        ContactTie tie;
+        tie.stiffness = spring.stiffness;
+        for (const auto &[row, direction] : spring.nodes)
+          for (const auto &[point, weight] : compliance_.weights(row))
+            tie.points.emplace_back(point, weight * direction);
+        result.ties.push_back(std::move(tie));
       }
 
     // Two solutions for the fields of all points, not only the watched ones.

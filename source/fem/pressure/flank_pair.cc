@@ -3,6 +3,7 @@
 #include <vfife/fem/pressure/flank_pair.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>
+#include <vfife/model/load_shares.h>
 
 #include <algorithm>
 #include <set>
@@ -11,6 +12,7 @@ namespace vfife
 {
   FlankPair::FlankPair(const FemSpace &space, const double depth)
     : space_(space)
+    , averages_(space)
     , definition_(space.model().contacts.front())
     , depth_(depth)
     , bodies_{{definition_.slave_body, definition_.master_body}}
@@ -89,21 +91,51 @@ namespace vfife
     for (const unsigned int node : nodes_of(side, group))
       patch.push_back(point_of(side, node));
     std::sort(patch.begin(), patch.end());
-    PointPairs edges; // tip, toe and heel
-    for (std::size_t f = 0; f < facets.facets.size(); ++f)
-      for (unsigned int k = 0; k < 4; ++k)
-        if (facets.group[f] == group && edge_number(facets, f, k) != 0)
-          edges.push_back(
-            {{point_of(side, facets.facets[f][k]), point_of(side, facets.facets[f][(k + 1) % 4])}});
     const unsigned int first = space_.find_part(bodies_[side])->first_point;
     for (const auto &[name, other] : space_.model().bodies[bodies_[side]].mesh().surfaces)
       if (&other != &facets)
         for (const unsigned int node : other.nodes)
           others.push_back(first + node);
     return near_
-      .emplace(std::make_pair(side, group),
-               find_near_layer(space_, std::move(patch), others, depth_, edges))
+      .emplace(
+        std::make_pair(side, group),
+        find_near_layer(space_, std::move(patch), averages_, others, depth_, edges_of(side, group)))
       .first->second;
+  }
+
+  PointPairs FlankPair::edges_of(const unsigned int side, const unsigned int group) const
+  {
+    const FacetSurface                             &facets = *facets_[side];
+    const Body                                     &body   = space_.model().bodies[bodies_[side]];
+    const FemSpace::Part                           &part   = *space_.find_part(bodies_[side]);
+    std::set<std::pair<unsigned int, unsigned int>> on_edges; // nodes of the body
+    std::vector<unsigned int>                       nodes;
+    for (std::size_t f = 0; f < facets.facets.size(); ++f)
+      for (unsigned int k = 0; k < 4 && facets.group[f] == group; ++k)
+        {
+          const unsigned int a = facets.nodes[facets.facets[f][k]],
+                             b = facets.nodes[facets.facets[f][(k + 1) % 4]];
+          nodes.push_back(a);
+          if (edge_number(facets, f, k) != 0) // tip, toe and heel
+            on_edges.emplace(std::min(a, b), std::max(a, b));
+        }
+    PointPairs         edges;
+    const unsigned int n = space_.degree() + 1;
+    for (const BoundaryFace &face : find_boundary_faces(body, nodes, faces_of(facets)))
+      for (unsigned int k = 0; k < 4; ++k)
+        {
+          const unsigned int a = face.nodes[k], b = face.nodes[(k + 1) % 4];
+          if (on_edges.count({std::min(a, b), std::max(a, b)}) == 0)
+            continue;
+          // From a to b along the same sides of the elements' faces.
+          const std::array<unsigned int, 5>    corners = {{0, n - 1, n * n - 1, n * (n - 1), 0}};
+          std::map<unsigned int, unsigned int> next;
+          for (const auto &points : space_.points_on_face(part, face.element, face.number))
+            next[points[corners[k]]] = points[corners[k + 1]];
+          for (unsigned int at = part.first_point + a; at != part.first_point + b; at = next.at(at))
+            edges.push_back({{at, next.at(at)}});
+        }
+    return edges;
   }
 
   ElasticFlank FlankPair::make_flank(const unsigned int               side,

@@ -117,10 +117,18 @@ namespace vfife
               continue;
             found[i] = true;
             sides.push_back(sides_[i]);
-            for (unsigned int k = 0; k < 4; ++k)
-              for (const std::size_t j : at_.at(edge_of(i, k)))
+            const auto visit = [&](const std::vector<std::size_t> &others) {
+              for (const std::size_t j : others)
                 if (normals_[i].dot(normals_[j]) > smooth)
                   next.push_back(j);
+            };
+            for (unsigned int k = 0; k < 4; ++k)
+              {
+                visit(at_.at(edge_of(i, k)));
+                // Sides of elements of other sizes have no whole edge in common.
+                if (of_corner_.count(corners_[i][k]) != 0)
+                  visit(of_corner_.at(corners_[i][k]));
+              }
           }
         return sides;
       }
@@ -140,13 +148,19 @@ namespace vfife
         corners_.push_back(corners);
         normals_.push_back((side.high ? 1. : -1.) * along);
         for (unsigned int k = 0; k < 4; ++k)
-          at_[edge_of(sides_.size() - 1, k)].push_back(sides_.size() - 1);
+          {
+            at_[edge_of(sides_.size() - 1, k)].push_back(sides_.size() - 1);
+            if (!layer.hanging.empty())
+              of_corner_[corners[k]].push_back(sides_.size() - 1);
+          }
       }
 
       std::vector<Side>                        sides_;
       std::vector<std::array<unsigned int, 4>> corners_;
       std::vector<Vector3>                     normals_; ///< outward
       std::map<Edge, std::vector<std::size_t>> at_;      ///< the sides at an edge
+      /** The sides at a corner, of layers with elements of several sizes. */
+      std::map<unsigned int, std::vector<std::size_t>> of_corner_;
     };
 
     /** Adds elements beyond sides that go on from each other, row by row. */
@@ -172,9 +186,20 @@ namespace vfife
             if (const unsigned int point = layer.elements[side.element][a];
                 is_on(side, a) && at_edge[point])
               steps[point] = layer.points[point] - layer.points[opposite(side, a)];
-        width = std::numeric_limits<double>::infinity();
+        double widest = 0.;
+        width         = std::numeric_limits<double>::infinity();
         for (const auto &step : steps)
-          width = std::min(width, step.second.norm());
+          {
+            width  = std::min(width, step.second.norm());
+            widest = std::max(widest, step.second.norm());
+          }
+        // Elements of several sizes go on with the largest.
+        if (!layer.hanging.empty())
+          {
+            width = widest;
+            for (auto &step : steps)
+              step.second *= widest / step.second.norm();
+          }
         // All that is below a point of the edge goes on as it does.
         for (const Side &side : sides)
           for (unsigned int a = 0; a < layer.elements[side.element].size(); ++a)
@@ -210,6 +235,23 @@ namespace vfife
           }
         layer_.elements.push_back(std::move(outer));
         return {static_cast<unsigned int>(layer_.elements.size() - 1), side.axis, side.high};
+      }
+
+      /** Lets what continues points that hang move with what continues those that move them. */
+      void tie_row()
+      {
+        for (const auto &[from, point] : known_)
+          {
+            const auto found = layer_.hanging.find(from.first);
+            if (found == layer_.hanging.end() || layer_.hanging.count(point) != 0)
+              continue;
+            PointWeights masters;
+            for (const auto &[master, weight] : found->second)
+              if (const auto beyond = known_.find({master, from.second}); beyond != known_.end())
+                masters.emplace_back(beyond->second, weight);
+            if (masters.size() == found->second.size())
+              layer_.hanging[point] = std::move(masters);
+          }
       }
 
       double width; ///< of the narrowest row [mm]
@@ -251,13 +293,13 @@ namespace vfife
 
 
   void LayerElements::continue_beyond(const PointPairs                &edges,
-                                      const std::vector<unsigned int> &patch,
+                                      const std::vector<unsigned int> &of_surface,
                                       const double                     length)
   {
     // What has been added beyond one edge goes on beyond the next one as well, or the quarter at
     // the corner of both would be missing. The added surface is no side to go on from.
     std::vector<char> surface(points.size(), false);
-    for (const unsigned int point : patch)
+    for (const unsigned int point : of_surface)
       surface[point] = true;
     for (const auto &edge : edges)
       {
@@ -266,52 +308,71 @@ namespace vfife
           continue; // beyond which it goes on already
         Continuation beyond(*this, sides, edges, surface);
         for (double done = 0.; done < length; done += beyond.width)
-          for (Side &side : sides)
-            side = beyond.add_element(side);
+          {
+            for (Side &side : sides)
+              side = beyond.add_element(side);
+            beyond.tie_row();
+          }
       }
   }
 
 
-  Eigen::MatrixXd LayerElements::find_flexibility(const std::vector<unsigned int> &patch,
+  Eigen::MatrixXd LayerElements::find_flexibility(const std::vector<PointWeights> &means,
                                                   const Material                  &material,
                                                   const FemElement                 element) const
   {
     std::vector<int> first(points.size(), -1);
     int              n = 0;
     for (std::size_t p = 0; p < points.size(); ++p)
-      if (!held[p])
+      if (!held[p] && hanging.count(p) == 0)
         {
           first[p] = n;
           n += 3;
         }
+    // The unknowns by which a point moves.
+    const auto unknowns_of = [&](const unsigned int point) {
+      const auto         found = hanging.find(point);
+      const PointWeights all   = found != hanging.end() ? found->second : PointWeights{{point, 1.}};
+      std::vector<std::pair<int, double>> unknowns;
+      for (const auto &[p, weight] : all)
+        if (first[p] >= 0)
+          unknowns.emplace_back(first[p], weight);
+      return unknowns;
+    };
     std::vector<Eigen::Triplet<double>> entries;
     for (const std::vector<unsigned int> &own : elements)
       {
-        ElementNodes X(3, own.size());
+        ElementNodes                                     X(3, own.size());
+        std::vector<std::vector<std::pair<int, double>>> unknowns;
         for (std::size_t a = 0; a < own.size(); ++a)
-          X.col(a) = points[own[a]];
+          {
+            X.col(a) = points[own[a]];
+            unknowns.push_back(unknowns_of(own[a]));
+          }
         const Eigen::MatrixXd K = compute_fem_stiffness(X, material, element);
         for (Eigen::Index r = 0; r < K.rows(); ++r)
           for (Eigen::Index c = 0; c < K.cols(); ++c)
-            {
-              const int row = first[own[r / 3]], column = first[own[c / 3]];
-              if (row >= 0 && column >= 0)
-                entries.emplace_back(row + r % 3, column + c % 3, K(r, c));
-            }
+            for (const auto &[row, of_row] : unknowns[r / 3])
+              for (const auto &[column, of_column] : unknowns[c / 3])
+                entries.emplace_back(row + r % 3, column + c % 3, of_row * of_column * K(r, c));
       }
     Eigen::SparseMatrix<double> matrix(n, n);
     matrix.setFromTriplets(entries.begin(), entries.end());
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
 
-    const Eigen::Index size = 3 * patch.size();
-    Eigen::MatrixXd    flexibility(size, size);
+    // A column per unit force; the means are the products with the forces.
+    const Eigen::Index          size = 3 * means.size();
+    Eigen::SparseMatrix<double> forces(n, size);
+    entries.clear();
+    for (std::size_t k = 0; k < means.size(); ++k)
+      for (const auto &[point, weight] : means[k])
+        for (const auto &[unknown, part] : unknowns_of(point))
+          for (unsigned int c = 0; c < 3; ++c)
+            entries.emplace_back(unknown + c, 3 * k + c, weight * part);
+    forces.setFromTriplets(entries.begin(), entries.end());
+    Eigen::MatrixXd flexibility(size, size);
     for (Eigen::Index k = 0; k < size; ++k)
-      {
-        const Eigen::VectorXd u =
-          solver.solve(Eigen::VectorXd::Unit(n, first[patch[k / 3]] + k % 3));
-        for (Eigen::Index i = 0; i < size; ++i)
-          flexibility(i, k) = u[first[patch[i / 3]] + i % 3];
-      }
+      flexibility.col(k) = forces.transpose() * solver.solve(Eigen::VectorXd(forces.col(k)));
     // Symmetric to the last digit, as conjugate gradients take it to be.
     return .5 * (flexibility + flexibility.transpose());
   }

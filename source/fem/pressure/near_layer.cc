@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <set>
 
 namespace vfife
 {
@@ -22,7 +23,7 @@ namespace vfife
         : space_(space)
         , part_(space.part_of_point(patch.front()))
         , reached_(part_.n_points, false)
-        , used_(part_.n_elements, false)
+        , used_(space.n_body_elements(part_), false)
       {
         for (const unsigned int point : patch)
           reached_[point - part_.first_point] = true;
@@ -32,20 +33,20 @@ namespace vfife
        * ones and none of them has one of @p others. */
       bool add_layer(const std::vector<bool> &others)
       {
-        std::vector<unsigned int> found;
+        std::vector<bool> now = used_;
         for (unsigned int e = 0; e < part_.n_elements; ++e)
-          if (!used_[e] && has_point(e, reached_))
-            {
-              if (has_point(e, others))
-                return false;
-              found.push_back(e);
-            }
-        for (const unsigned int e : found)
-          {
-            used_[e] = true;
+          if (has_point(e, reached_))
+            now[parent(e)] = true;
+        for (unsigned int e = 0; e < part_.n_elements; ++e)
+          if (now[parent(e)] && !is_used(e) && has_point(e, others))
+            return false;
+        if (now == used_)
+          return false;
+        used_ = std::move(now);
+        for (unsigned int e = 0; e < part_.n_elements; ++e)
+          if (is_used(e))
             for_points(e, [this](const unsigned int p) { reached_[p] = true; });
-          }
-        return !found.empty();
+        return true;
       }
 
       /** 0: not in the layers, 1: free, 2: held, since elements outside have it too. By point of
@@ -54,13 +55,23 @@ namespace vfife
       {
         std::vector<unsigned char> states(part_.n_points, 0);
         for (unsigned int e = 0; e < part_.n_elements; ++e)
-          if (used_[e])
+          if (is_used(e))
             for_points(e, [&states](const unsigned int p) { states[p] = 1; });
+        const auto hold = [&states](const unsigned int p) {
+          if (states[p] != 0)
+            states[p] = 2;
+        };
+        const auto hold_all = [&](const unsigned int p) {
+          hold(p);
+          // Points that move one outside, of larger elements inside.
+          if (const auto hanging = space_.hanging().find(part_.first_point + p);
+              hanging != space_.hanging().end())
+            for (const auto &master : hanging->second)
+              hold(master.first - part_.first_point);
+        };
         for (unsigned int e = 0; e < part_.n_elements; ++e)
-          if (!used_[e])
-            for_points(e, [&states](const unsigned int p) { states[p] *= 2; });
-        for (unsigned char &state : states)
-          state = std::min<unsigned char>(state, 2);
+          if (!is_used(e))
+            for_points(e, hold_all);
         return states;
       }
 
@@ -78,7 +89,7 @@ namespace vfife
       {
         const Material *found = nullptr;
         for (unsigned int e = 0; e < part_.n_elements; ++e)
-          if (used_[e])
+          if (is_used(e))
             {
               const Material &here = space_.material(part_.first_element + e);
               if (found != nullptr && found != &here)
@@ -99,6 +110,15 @@ namespace vfife
         for (unsigned int a = 0; a < space_.points_per_element(); ++a)
           function(points[a] - part_.first_point);
       }
+      /** The body's element of an element of the part. */
+      unsigned int parent(const unsigned int e) const
+      {
+        return space_.body_element(part_.first_element + e);
+      }
+      bool is_used(const unsigned int e) const
+      {
+        return used_[parent(e)];
+      }
       bool has_point(const unsigned int e, const std::vector<bool> &which) const
       {
         bool found = false;
@@ -108,7 +128,8 @@ namespace vfife
 
       const FemSpace       &space_;
       const FemSpace::Part &part_;
-      std::vector<bool>     reached_, used_;
+      std::vector<bool>     reached_;
+      std::vector<bool>     used_; ///< elements of the body
     };
 
     LayerElements LayeredElements::make_elements(const std::vector<unsigned char> &states,
@@ -124,11 +145,20 @@ namespace vfife
             layer.held.push_back(states[p] == 2);
           }
       for (unsigned int e = 0; e < part_.n_elements; ++e)
-        if (used_[e])
+        if (is_used(e))
           {
             layer.elements.emplace_back();
             for_points(e,
                        [&](const unsigned int p) { layer.elements.back().push_back(numbers[p]); });
+          }
+      for (const auto &[point, masters] : space_.hanging())
+        if (point >= part_.first_point && point < part_.first_point + part_.n_points &&
+            states[point - part_.first_point] != 0)
+          {
+            PointWeights &own = layer.hanging[numbers[point - part_.first_point]];
+            for (const auto &[master, weight] : masters)
+              if (states[master - part_.first_point] != 0) // those outside are held
+                own.emplace_back(numbers[master - part_.first_point], weight);
           }
       return layer;
     }
@@ -163,11 +193,20 @@ namespace vfife
 
   NearLayer find_near_layer(const FemSpace                  &space,
                             std::vector<unsigned int>        patch,
+                            const NodeAverages              &averages,
                             const std::vector<unsigned int> &others,
                             const double                     depth,
                             const PointPairs                &edges)
   {
-    LayeredElements       elements(space, patch);
+    std::vector<PointWeights> means;
+    std::set<unsigned int>    surface;
+    for (const unsigned int point : patch)
+      {
+        means.push_back(averages.of(point));
+        for (const auto &weight : means.back())
+          surface.insert(weight.first);
+      }
+    LayeredElements       elements(space, {surface.begin(), surface.end()});
     const FemSpace::Part &part = elements.part();
     std::vector<bool>     is_other(part.n_points, false);
     for (const unsigned int point : others)
@@ -188,25 +227,28 @@ namespace vfife
         if (layer.mean_depth() >= depth)
           break;
       }
-    // A point of the patch that is held itself has no flexibility of its own.
-    for (const unsigned int point : patch)
+    // A point of the surface that is held itself has no flexibility of its own.
+    for (const unsigned int point : surface)
       if (states.empty() || states[point - part.first_point] != 1)
         throw InputError("body \"" + space.model().bodies[part.body].name() +
                          "\": no layer of elements under the surface in contact leads to others "
                          "that would hold it; the pressure on its own grid needs two elements "
                          "across a tooth");
-    std::vector<unsigned int> numbers, own;
+    std::vector<unsigned int> numbers, of_surface;
     LayerElements             by_itself = elements.make_elements(states, numbers);
     const auto                number_of = [&](const unsigned int point) {
       return numbers[point - part.first_point];
     };
-    for (const unsigned int point : patch)
-      own.push_back(number_of(point));
+    for (const unsigned int point : surface)
+      of_surface.push_back(number_of(point));
+    for (PointWeights &mean : means)
+      for (auto &weight : mean)
+        weight.first = number_of(weight.first);
     PointPairs own_edges;
     for (const auto &edge : edges)
       own_edges.push_back({{number_of(edge[0]), number_of(edge[1])}});
-    by_itself.continue_beyond(own_edges, own, reach * layer.mean_depth());
-    layer.flexibility = by_itself.find_flexibility(own, elements.material(), space.element());
+    by_itself.continue_beyond(own_edges, of_surface, reach * layer.mean_depth());
+    layer.flexibility = by_itself.find_flexibility(means, elements.material(), space.element());
     layer.points      = std::move(patch);
     return layer;
   }

@@ -32,8 +32,8 @@ namespace vfife
             const Vector3 moved =
               equilibrium.place(body,
                                 b.placement(b.node_positions()[node]) +
-                                  Eigen::Map<const Vector3>(result.displacements.data() +
-                                                            3 * (first + node)));
+                                  compute_mean(flanks_.averages().of(first + node),
+                                               result.displacements));
             positions.insert(positions.end(), moved.data(), moved.data() + 3);
           }
         flanks_.place(side,

@@ -34,6 +34,7 @@ namespace vfife
     , space_(model, all_bodies(model), options)
     // What a housing joins is a part of the law that who asks adds.
     , rings_(space_, HousingLaw::own_seats)
+    , averages_(space_)
   {
     check_motions();
     spun_.assign(3 * static_cast<std::size_t>(space_.n_points()), 0.);
@@ -179,8 +180,11 @@ namespace vfife
   {
     if (points == watched_ && motions.empty() && motions_.empty() && !columns_.empty())
       return;
-    watched_           = std::move(points);
-    motions_           = std::move(motions);
+    watched_ = std::move(points);
+    motions_ = std::move(motions);
+    weights_.clear();
+    for (const unsigned int point : watched_)
+      weights_.push_back(averages_.of(point));
     std::size_t n_rows = 3 * watched_.size();
     for (const PointMotion &motion : motions_)
       n_rows += motion.motion.rows();
@@ -188,15 +192,18 @@ namespace vfife
     for (SectorBody &body : sectors_)
       {
         body.watched.clear();
-        std::vector<unsigned int> points_of_body;
+        std::vector<CyclicStatics::Watched> of_body;
         for (unsigned int k = 0; k < watched_.size(); ++k)
           if (3 * std::size_t(watched_[k]) >= body.first &&
               3 * std::size_t(watched_[k]) < body.first + body.n)
             {
+              const unsigned int first = body.first / 3;
               body.watched.push_back(k);
-              points_of_body.push_back(watched_[k] - body.first / 3);
+              of_body.push_back({watched_[k] - first, weights_[k]});
+              for (auto &weight : of_body.back().weights)
+                weight.first -= first;
             }
-        body.statics->watch(std::move(points_of_body));
+        body.statics->watch(std::move(of_body));
       }
   }
 
@@ -204,7 +211,7 @@ namespace vfife
   {
     Eigen::VectorXd values(columns_.size());
     for (std::size_t k = 0; k < watched_.size(); ++k)
-      values.segment<3>(3 * k) = Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(watched_[k]));
+      values.segment<3>(3 * k) = compute_mean(weights_[k], u);
     std::size_t row = 3 * watched_.size();
     for (const PointMotion &motion : motions_)
       {
@@ -218,7 +225,9 @@ namespace vfife
   {
     std::vector<double> all(spun_.size(), 0.);
     for (std::size_t k = 0; k < watched_.size(); ++k)
-      Eigen::Map<Vector3>(all.data() + 3 * std::size_t(watched_[k])) = force.segment<3>(3 * k);
+      for (const auto &[point, weight] : weights_[k])
+        Eigen::Map<Vector3>(all.data() + 3 * std::size_t(point)) +=
+          weight * force.segment<3>(3 * k);
     std::size_t row = 3 * watched_.size();
     for (const PointMotion &motion : motions_)
       {

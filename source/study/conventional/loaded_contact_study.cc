@@ -125,7 +125,6 @@ namespace vfife
         gear_case_.operation().require_constant("Operation", study_word);
         dynamics_.check("Dynamics");
         fem_.check("Fem");
-        require_undivided(fem_);
         fillets_.check();
       }
 

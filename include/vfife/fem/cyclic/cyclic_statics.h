@@ -40,9 +40,16 @@ namespace vfife
     /** Displacements of all points under forces at all of them (3 a point, fixed frame) [mm]. */
     std::vector<double> solve(const std::vector<double> &forces) const;
 
-    /** Points of the body, numbered from its first one, between which column() tells
-     * displacements. */
-    void watch(std::vector<unsigned int> points);
+    /** A point of the body, numbered from its first one, and the points and weights by which it
+     * moves and takes forces. Points that are copies of each other have weights that are. */
+    struct Watched
+    {
+      unsigned int                                 point;
+      std::vector<std::pair<unsigned int, double>> weights;
+    };
+    /** The points between which column() computes displacements. Throws InputError where one has
+     * weights in another sector than its own. */
+    void watch(std::vector<Watched> points);
 
     /** Displacements of the watched points (3 each) under a unit force along the axis @p component
      * of the fixed frame at the point number @p watched of them [mm/N]. */
@@ -97,7 +104,9 @@ namespace vfife
     Eigen::MatrixXd pin_fields_;                               ///< of all points, two columns
     Eigen::Matrix2d pin_compliance_ = Eigen::Matrix2d::Zero(); ///< that the pin takes away
 
-    std::vector<unsigned int>               watched_;     ///< points
+    Eigen::MatrixXd pin_field_of(const Watched &watched) const;
+
+    std::vector<Watched>                    watched_;
     std::vector<unsigned int>               locals_;      ///< their copies in sector 0
     std::map<unsigned int, Eigen::MatrixXd> flexibility_; ///< by the sectors from force to answer
   };

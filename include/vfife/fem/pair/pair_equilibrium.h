@@ -41,9 +41,6 @@ namespace vfife
     double          residual       = 0; ///< unbalanced over contact forces
   };
 
-  /** Throws InputError for divided elements, on which nodal contact forces do not act rightly. */
-  void require_undivided(const FemSpaceOptions &options);
-
   /**
    * Static equilibrium of a gear pair whose driver stands at a given angle and whose driven body
    * carries the model's torques: the elastic bodies are reduced to the compliance of the nodes that

@@ -22,8 +22,8 @@ namespace vfife
    * energy stiffness/2 (sum of direction . u)^2. */
   struct ContactTie
   {
-    std::array<std::pair<unsigned int, Vector3>, 8> points; ///< and directions, axes of time zero
-    double                                          stiffness = 0; ///< [N/mm]
+    std::vector<std::pair<unsigned int, Vector3>> points; ///< and directions, axes of time zero
+    double                                        stiffness = 0; ///< [N/mm]
   };
 
   /** Torque on the driven body about its axis [N mm]: torque - stiffness (turn - rest). */

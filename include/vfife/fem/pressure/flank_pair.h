@@ -87,6 +87,12 @@ namespace vfife
     /** Of the space, at a node of the surface. */
     unsigned int point_of(unsigned int side, unsigned int node) const;
 
+    /** By which nodes of the surfaces move and take forces. */
+    const NodeAverages &averages() const
+    {
+      return averages_;
+    }
+
     /** What has been found on the grid of two teeth, with the places of its cells. */
     ToothPressure
     describe(unsigned int slave_group, unsigned int master_group, GridPressure grid) const;
@@ -94,8 +100,11 @@ namespace vfife
   private:
     /** Middles of cells in the body frame of a side's body, at rest [mm]. */
     std::vector<Vector3> places_of(unsigned int side, const std::vector<ContactCell> &cells) const;
+    /** Sides of the elements' faces on a tooth's flank that lie on edges of the body, by points. */
+    PointPairs edges_of(unsigned int side, unsigned int group) const;
 
     const FemSpace                                            &space_;
+    NodeAverages                                               averages_;
     const ContactPair                                         &definition_;
     double                                                     depth_;
     std::array<unsigned int, 2>                                bodies_;

@@ -2,6 +2,7 @@
 #ifndef vfife_fem_pressure_layer_elements_h
 #define vfife_fem_pressure_layer_elements_h
 
+#include <vfife/fem/statics/node_averages.h>
 #include <vfife/fem/system/element_integrals.h>
 
 #include <array>
@@ -17,18 +18,21 @@ namespace vfife
     std::vector<Vector3>                   points;   ///< [mm]
     std::vector<char>                      held;     ///< of the points
     std::vector<std::vector<unsigned int>> elements; ///< points, lexicographic
+    std::map<unsigned int, PointWeights>   hanging;  ///< by point: the points that move it
 
     /**
-     * Continues the elements by @p length [mm] beyond @p edges of the surface @p patch, two points
+     * Continues the elements by @p length [mm] beyond @p edges of the @p surface, two points
      * each: over the sides that turn down there, and over those that go on from these smoothly.
      * The surface goes straight on, with elements as wide as the last ones, and what is below as it
      * does; what continues held points is held.
      */
-    void
-    continue_beyond(const PointPairs &edges, const std::vector<unsigned int> &patch, double length);
+    void continue_beyond(const PointPairs                &edges,
+                         const std::vector<unsigned int> &surface,
+                         double                           length);
 
-    /** Displacements at @p patch, none of which is held, under unit forces there [mm/N]. */
-    Eigen::MatrixXd find_flexibility(const std::vector<unsigned int> &patch,
+    /** Mean displacements with the weights @p means under unit forces with the same weights, three
+     * rows each [mm/N]. */
+    Eigen::MatrixXd find_flexibility(const std::vector<PointWeights> &means,
                                      const Material                  &material,
                                      FemElement                       element) const;
   };

@@ -18,20 +18,23 @@ namespace vfife
   {
     std::vector<unsigned int> points; ///< of the patch
     std::vector<double>       depths; ///< from each of them to the nearest point that is held [mm]
-    Eigen::MatrixXd           flexibility;  ///< three rows a point, axes of time zero [mm/N]
-    unsigned int              n_layers = 0; ///< of elements
+    /** Three rows per point, axes of time zero [mm/N]; points move as NodeAverages says. */
+    Eigen::MatrixXd flexibility;
+    unsigned int    n_layers = 0; ///< of elements
 
     double mean_depth() const;
   };
 
   /**
    * As many layers of elements as make the mean depth @p depth [mm], or as there are before they
-   * come to the points @p others (the other side of a tooth); at least one. @p edges: sides of the
-   * patch's facets that lie on edges of the body, by their points.
+   * come to the points @p others (the other side of a tooth); at least one. Divided elements count
+   * as the one of the body that they are parts of. @p edges: sides of the elements' faces on the
+   * patch that lie on edges of the body, by their points.
    * Throws InputError where one layer comes to those, or is not held.
    */
   NearLayer find_near_layer(const FemSpace                  &space,
                             std::vector<unsigned int>        patch,
+                            const NodeAverages              &averages,
                             const std::vector<unsigned int> &others,
                             double                           depth,
                             const PointPairs                &edges = {});

@@ -5,6 +5,7 @@
 #include <vfife/fem/cyclic/cyclic_statics.h>
 #include <vfife/fem/fem_options.h>
 #include <vfife/fem/solvers/direct_solver.h>
+#include <vfife/fem/statics/node_averages.h>
 #include <vfife/fem/statics/standing_motion.h>
 
 #include <memory>
@@ -81,14 +82,20 @@ namespace vfife
       return standing_;
     }
 
-    /** Points and motions of points at which displacements under unit forces are kept: 3 rows a
-     * point, in this order, behind them those of the motions. Forgets what is known, but for the
-     * points that are watched already where there are no motions. */
+    /** Points and motions of points at which displacements under unit forces are kept: 3 rows per
+     * point, in this order, behind them those of the motions. Nodes of surfaces in contact move and
+     * take forces as NodeAverages says. Forgets what is known, but for the points that are watched
+     * already where there are no motions. */
     void watch(std::vector<unsigned int> points, std::vector<PointMotion> motions = {});
 
     const std::vector<unsigned int> &watched() const
     {
       return watched_;
+    }
+    /** By which a watched point moves and takes forces. */
+    const PointWeights &weights(const unsigned int watched) const
+    {
+      return weights_[watched];
     }
 
     /** Of a field of all points (3 a point) the displacements at the rows. */
@@ -150,7 +157,9 @@ namespace vfife
     std::vector<StandingMotion>   standing_;
     std::vector<unsigned int>     turning_; ///< bodies free to turn
     std::vector<unsigned int>     pinned_;  ///< of these, whose hub is no constraint
+    NodeAverages                  averages_;
     std::vector<unsigned int>     watched_;
+    std::vector<PointWeights>     weights_; ///< of the watched points
     std::vector<PointMotion>      motions_; ///< watched as well
     std::vector<Eigen::VectorXd>  columns_; ///< empty: not known
     unsigned int                  n_prepared_ = 0;

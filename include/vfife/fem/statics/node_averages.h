@@ -1,0 +1,45 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_fem_statics_node_averages_h
+#define vfife_fem_statics_node_averages_h
+
+#include <vfife/fem/system/fem_space.h>
+
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace vfife
+{
+  /** Points of a space and their weights [-]. */
+  using PointWeights = std::vector<std::pair<unsigned int, double>>;
+
+  /** Sum of the weights times the displacements [mm], or other values, at the points. */
+  Vector3 compute_mean(const PointWeights &weights, const std::vector<double> &u);
+
+  /**
+   * The motion of a node of a surface in contact where elements have points between the nodes. A
+   * force on one point would dent them. A contact force on a node is therefore a traction on the
+   * facets around it, and the node's displacement is the mean of the surface's with the same
+   * weights. The weights are the dual functions psi of the bilinear ones, phi: the integral of
+   * psi_i phi_j is zero for i != j (Wohlmuth 2000, SIAM J. Numer. Anal. 38). So nodes have the
+   * displacements of the surface where these are bilinear, and the traction has force and moment of
+   * the nodal forces (doc/theory/fem.md, Static with contact). Elsewhere each point is its own
+   * mean.
+   */
+  class NodeAverages
+  {
+  public:
+    /** Of the surfaces of all contacts between bodies of the space. */
+    explicit NodeAverages(const FemSpace &space);
+
+    /** Of the node at @p point of the space: weights that sum to one. */
+    PointWeights of(unsigned int point) const;
+
+  private:
+    void add_surface(const FemSpace &space, unsigned int body, const std::string &surface);
+
+    std::map<unsigned int, PointWeights> means_; ///< by point
+  };
+} // namespace vfife
+
+#endif
