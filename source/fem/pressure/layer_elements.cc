@@ -186,19 +186,20 @@ namespace vfife
             if (const unsigned int point = layer.elements[side.element][a];
                 is_on(side, a) && at_edge[point])
               steps[point] = layer.points[point] - layer.points[opposite(side, a)];
-        double widest = 0.;
-        width         = std::numeric_limits<double>::infinity();
+        width        = std::numeric_limits<double>::infinity();
+        Vector3 mean = Vector3::Zero();
         for (const auto &step : steps)
           {
-            width  = std::min(width, step.second.norm());
-            widest = std::max(widest, step.second.norm());
+            width = std::min(width, step.second.norm());
+            mean += step.second / steps.size();
           }
-        // Elements of several sizes go on with the largest.
+        // Elements of several sizes go on alike: else those between small and large ones would
+        // fold.
         if (!layer.hanging.empty())
           {
-            width = widest;
+            width = mean.norm();
             for (auto &step : steps)
-              step.second *= widest / step.second.norm();
+              step.second = mean;
           }
         // All that is below a point of the edge goes on as it does.
         for (const Side &side : sides)
