@@ -354,7 +354,7 @@ namespace vfife
         of_clusters[clusters_[e]].assign(numbers.begin() + next, numbers.begin() + next + n);
         next += n;
         for (const std::uint32_t rank : of_clusters[clusters_[e]])
-          stream.require(rank < communicator_.size(), "a rank that is not there");
+          stream.require(rank < communicator_.size(), "a rank does not exist");
       }
     set_ranks(std::move(of_clusters));
   }

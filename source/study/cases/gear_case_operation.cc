@@ -35,9 +35,8 @@ namespace vfife
     catch (const InputError &error)
       {
         throw InputError("Operation/speed",
-                         std::string(error.what()) + ": " +
-                           std::to_string(operation_.meshes.number) +
-                           " tooth meshes are asked for");
+                         std::string("the speed ") + error.what() + " of " +
+                           std::to_string(operation_.meshes.number) + " tooth meshes");
       }
   }
 

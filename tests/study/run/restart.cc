@@ -129,8 +129,9 @@ namespace
     const Ending      ending = run_program({program, pair, "-o", "early"}, begun, SIGINT);
     check("stopped in the equilibrium: ended by the signal", ending.exit_code == -1);
     check("stopped in the equilibrium: message",
-          ending.text.find("\nvfife: stopped before the first step or between runs: no checkpoint "
-                           "to go on from\n") != std::string::npos &&
+          ending.text.find(
+            "\nvfife: stopped before the first step or between runs; no checkpoint exists\n") !=
+              std::string::npos &&
             !fs::exists("early/checkpoint.bin"));
   }
 
