@@ -155,6 +155,7 @@ namespace vfife
     // The deepest of this rank in words, relative to the limit of its pair ...
     double             deepest = 0; // over the limit
     std::ostringstream text;
+    set_figure_digits(text, 4);
     for (const auto &pair : pairs_)
       for (const ContactPoint &point : pair->contact.points())
         {

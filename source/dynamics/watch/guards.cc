@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/dynamics/loads/contact_system.h>
 #include <vfife/dynamics/loads/rigid_walls.h>
 #include <vfife/dynamics/operator/vfife_operator.h>
@@ -64,6 +65,7 @@ namespace vfife
     std::string describe(const Model &model, const Distortion &worst)
     {
       std::ostringstream text;
+      set_figure_digits(text, 4);
       text << "body \"" << model.bodies[worst.body].name() << "\", element " << worst.element
            << ", least Jacobian " << worst.least_jacobian << " of the undeformed one";
       return text.str();
@@ -75,6 +77,7 @@ namespace vfife
     describe_broken_element(const Model &model, const State &last_measured, const State &now)
     {
       std::ostringstream text;
+      set_figure_digits(text, 4);
       for (unsigned int b = 0; b < model.bodies.size(); ++b)
         {
           const Body &body = model.bodies[b];

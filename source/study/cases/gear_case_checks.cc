@@ -247,10 +247,10 @@ namespace vfife
         if (sentence.empty())
           continue;
         found.push_back(sentence);
-        log.line("check: ", sentence);
+        log.line("warning: input conflict: ", sentence);
       }
     if (found.empty())
-      log.line("check: no contradictions");
+      log.line("no input conflicts found");
     return found;
   }
 

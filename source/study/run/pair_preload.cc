@@ -2,6 +2,7 @@
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
 #include <vfife/base/text/byte_stream.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/dynamics/equilibrium/relaxation.h>
 #include <vfife/dynamics/equilibrium/standing_pattern.h>
 #include <vfife/dynamics/loop/explicit_solver.h>
@@ -235,6 +236,7 @@ namespace vfife
     if (PairMounting::changes(model_))
       {
         std::ostringstream misalignment;
+        set_figure_digits(misalignment, 4);
         for (const MountingNumber &one : list_numbers(preload_.misalignment))
           misalignment << (misalignment.tellp() > 0 ? ", " : "") << one.name << " " << one.value
                        << " " << one.unit;
