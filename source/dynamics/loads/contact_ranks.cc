@@ -350,7 +350,7 @@ namespace vfife
       {
         const std::size_t n = next < numbers.size() ? numbers[next++] : 0;
         stream.require(n > 0 && n <= communicator_.size() && n <= numbers.size() - next,
-                       "contact that nobody works on");
+                       "a contact has no rank");
         of_clusters[clusters_[e]].assign(numbers.begin() + next, numbers.begin() + next + n);
         next += n;
         for (const std::uint32_t rank : of_clusters[clusters_[e]])

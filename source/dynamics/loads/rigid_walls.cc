@@ -99,8 +99,8 @@ namespace vfife
             }
         if (!std::isfinite(wall.mass_per_area))
           throw InputError("contact \"" + definition.name +
-                           "\": its nodes carry no face of body \"" + body.name() +
-                           "\" that a wall could press on");
+                           "\": the nodes contain no face of body \"" + body.name() +
+                           "\". Select all nodes of the faces on which the wall acts");
         for (std::size_t i = 0; i < springs.areas.size(); ++i)
           {
             const unsigned int  node  = definition.nodes[i];

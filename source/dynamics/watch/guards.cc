@@ -67,7 +67,7 @@ namespace vfife
       std::ostringstream text;
       set_figure_digits(text, 4);
       text << "body \"" << model.bodies[worst.body].name() << "\", element " << worst.element
-           << ", least Jacobian " << worst.least_jacobian << " of the undeformed one";
+           << ", least Jacobian " << worst.least_jacobian << " times the undeformed one";
       return text.str();
     }
 
@@ -113,9 +113,9 @@ namespace vfife
     for (const BodySums &body : sums)
       kinetic += body.update.kinetic;
     if (!std::isfinite(kinetic))
-      throw NumericalError("the motion is no longer finite " + describe_instant(now) + ": " +
+      throw NumericalError("NaN or infinite displacement " + describe_instant(now) + ": " +
                            describe_broken_element(model, last_measured, now) +
-                           "; a smaller Dynamics/safety or a softer contact may help");
+                           ". Reduce Dynamics/safety or the contact penalty");
   }
 
   void check_penetration(const Model         &model,
@@ -125,10 +125,10 @@ namespace vfife
   {
     // All ranks know: the flags have travelled with the reductions of contact and walls.
     if (contact.is_too_deep())
-      throw NumericalError("runaway penetration " + describe_instant(now) + ": " +
+      throw NumericalError("penetration exceeds the limit " + describe_instant(now) + ": " +
                            contact.describe_deepest_point());
     if (walls.is_too_deep())
-      throw NumericalError("runaway penetration " + describe_instant(now) + ": " +
+      throw NumericalError("penetration exceeds the limit " + describe_instant(now) + ": " +
                            walls.describe_deepest_node(model));
   }
 

@@ -166,7 +166,7 @@ int main()
         history("all/run_01").size() > 1000 && history("all/run_01") != history("all/run_02"));
   const std::string json = read_text("all/sweep.json");
   check("sweep.json has the failure",
-        json.find("\"message\": \"runaway penetration") != std::string::npos);
+        json.find("\"message\": \"penetration exceeds the limit") != std::string::npos);
 
   const vfife::Table table         = vfife::read_result_table("all/sweep.csv");
   const auto         numbers       = [&table](const char *name) { return table.numbers(name); };
