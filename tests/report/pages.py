@@ -357,7 +357,7 @@ class Pages(unittest.TestCase):
             (Path(name) / "tca.json").write_text(json.dumps({**analysis, "marking compound thickness": quantity(6.35, "um")}))
             main([name])
             text = re.sub(r"\s+", " ", self.read(name))
-            for words in ("On the coast side the flanks touch nowhere inside their borders", "marking compound of 6.35 um"):
+            for words in ("On the coast side the flanks have no contact inside their borders", "marking compound of 6.35 um"):
                 self.assertIn(words, text)
 
     def test_nothing(self):
