@@ -224,7 +224,7 @@ namespace vfife
         const CaseReport report = runner_.do_case(command_line(one, folder.path()), true, ranks);
         log.line(one.name, " ", report.describe());
         if (report.outcome == Outcome::interrupted)
-          throw Interrupted("the comparison is stopped; to go on: the same command");
+          throw Interrupted("the comparison is stopped. Run the same command to continue");
         if (report.outcome == Outcome::failed)
           throw NumericalError("case " + one.name + " has failed: " + report.message);
       }

@@ -135,7 +135,8 @@ namespace vfife
     const CaseReport report = runner_.do_case(line, resumes_, ranks);
     log_.line(name, " ", report.describe());
     if (report.outcome == Outcome::interrupted)
-      throw Interrupted("the study of waves is stopped; to go on: the same command with --restart");
+      throw Interrupted(
+        "the study of waves is stopped. Run the same command with --restart to continue");
     if (report.outcome == Outcome::failed)
       throw NumericalError(name + " has failed: " + report.message);
 

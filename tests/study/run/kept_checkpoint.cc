@@ -131,7 +131,7 @@ namespace
     forge_entries("kept");
     const std::string said = go_on("kept", {}, world);
     check("the kept checkpoint is of a step on the way",
-          line_with(said, "goes on from").find(", step 150") != std::string::npos);
+          line_with(said, "continues from").find(", step 150") != std::string::npos);
     const Table whole = read_result_table("whole/history.csv"),
                 parts = read_result_table("kept/history.csv");
     // From the sample after the checkpoint on: earlier ones are those that it holds.
