@@ -144,11 +144,13 @@ namespace vfife
     if (sections.empty())
       {
         if (!seats_.empty())
-          throw InputError(section + "/bearings", "there is no shaft for them: give its sections");
+          throw InputError(section + "/bearings",
+                           "expected the sections of the shaft of these bearings, got none");
         return;
       }
     if (seats_.empty())
-      throw InputError(section + "/bearings", "nothing holds the shaft: name its bearings");
+      throw InputError(section + "/bearings",
+                       "expected the names of the bearings of the shaft, got none");
     for (const auto &[name, seat] : seats_)
       {
         const std::string where = section_of(section, name);

@@ -91,7 +91,7 @@ namespace vfife
       void check() const override
       {
         if (cases_.size() < 2)
-          throw InputError("Compare/cases", "there is nothing to compare: name two cases or more");
+          throw InputError("Compare/cases", "expected at least two cases");
         for (const Case &one : cases_)
           check_case(one);
       }
@@ -257,11 +257,12 @@ namespace vfife
           remarks = list_other_pairs(cases);
           for (const ComparedCase &one : cases)
             if (!one.is_read)
-              remarks.push_back("nothing of the case \"" + one.name +
-                                "\" is compared: no other case has what stands beside the kind " +
-                                one.kind + ", or an earlier one of that kind is taken");
+              remarks.push_back(
+                "the case \"" + one.name +
+                "\" is not compared: no other case has comparable results for the kind " +
+                one.kind + ", or an earlier case of this kind is used");
           if (rows.empty())
-            failure = "the cases have no results in common that are known to be compared";
+            failure = "the cases have no results in common that can be compared";
         }
       catch (const InputError &error)
         {

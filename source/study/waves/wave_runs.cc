@@ -77,8 +77,8 @@ namespace vfife
     void require_samples(const Table &table, const std::size_t n)
     {
       if (table.n_rows() != n)
-        throw InputError("it has " + std::to_string(table.n_rows()) + " samples, and " +
-                         std::to_string(n) + " are needed");
+        throw InputError("expected " + std::to_string(n) + " samples, got " +
+                         std::to_string(table.n_rows()));
     }
   } // namespace
 

@@ -217,7 +217,7 @@ int main()
   check("is said",
         log.find("run_01 finished: was finished before") != std::string::npos &&
           log.find("run_02 finished\n") != std::string::npos &&
-          log.find("run_03 finished: went on from a checkpoint") != std::string::npos);
+          log.find("run_03 finished: continued from a checkpoint") != std::string::npos);
 
   // Results of a version that did not know the bound of the assembly, which is the default now, are
   // those of another bound.
