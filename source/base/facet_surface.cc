@@ -53,7 +53,8 @@ namespace vfife
                                    std::to_string(two.facet) + " of surface \"" + surface.name +
                                    "\"";
         if (i + 2 < sides.size() && sides[i + 2].low == one.low && sides[i + 2].high == one.high)
-          throw InputError(facets + " share an edge with a third one: a surface must not branch");
+          throw InputError(
+            facets + " share an edge with a third facet; at most two facets may share an edge");
         // Facets that turn alike run along their common side in opposite senses.
         if (one.upwards == two.upwards)
           throw InputError(

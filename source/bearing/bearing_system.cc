@@ -33,23 +33,22 @@ namespace vfife
   {
     const auto n = static_cast<Eigen::Index>(6 * seats_.size());
     if (stiffness.rows() != n || stiffness.cols() != n)
-      throw InputError("the housing's stiffness has " + std::to_string(stiffness.rows()) + " x " +
-                       std::to_string(stiffness.cols()) + " entries; " +
-                       std::to_string(seats_.size()) + " bearings need " + std::to_string(n) +
-                       " x " + std::to_string(n));
+      throw InputError("housing stiffness: expected " + std::to_string(n) + " x " +
+                       std::to_string(n) + " entries for " + std::to_string(seats_.size()) +
+                       " bearings, got " + std::to_string(stiffness.rows()) + " x " +
+                       std::to_string(stiffness.cols()));
     // In units of its diagonal, as forces and moments have different ones.
     if (!(stiffness.diagonal().minCoeff() > 0))
-      throw InputError("the housing's stiffness needs positive numbers on its diagonal");
+      throw InputError("housing stiffness: all numbers on the diagonal must be positive");
     const Eigen::VectorXd scale = stiffness.diagonal().cwiseSqrt().cwiseInverse();
     const Eigen::MatrixXd pure  = scale.asDiagonal() * stiffness * scale.asDiagonal();
     if ((pure - pure.transpose()).cwiseAbs().maxCoeff() > 1e-6)
-      throw InputError("the housing's stiffness is not symmetric: such a housing would make energy "
-                       "out of nothing");
+      throw InputError("the housing stiffness matrix is not symmetric");
     if (!(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(.5 * (pure + pure.transpose()))
             .eigenvalues()
             .minCoeff() > 1e-9))
-      throw InputError("the housing's stiffness has an eigenvalue that is not positive: it must be "
-                       "that of a housing that is held");
+      throw InputError("the housing stiffness matrix must be positive definite. Fix the housing in "
+                       "the model that gives the matrix");
     housing_ = .5 * (stiffness + stiffness.transpose());
   }
 
@@ -121,7 +120,7 @@ namespace vfife
           }
         h = next;
       }
-    throw NumericalError("the bearings find no equilibrium with their housing");
+    throw NumericalError("the equilibrium of bearings and housing did not converge");
   }
 
   BearingSystem::Linear BearingSystem::linearized() const

@@ -42,7 +42,8 @@ namespace vfife
       }
     catch (const NumericalError &)
       {
-        throw InputError(owner_ + ": its nodes lie on a line and cannot carry a moment");
+        throw InputError(owner_ +
+                         ": the selected nodes are collinear. Select nodes around the shaft");
       }
   }
 
@@ -81,8 +82,8 @@ namespace vfife
     const Matrix3                   inertia = S.trace() * Matrix3::Identity() - S;
     const Eigen::FullPivLU<Matrix3> factors(inertia);
     if (!factors.isInvertible())
-      throw NumericalError(owner_ +
-                           ": its nodes have come to lie on a line, where a moment finds no arm");
+      throw NumericalError(
+        owner_ + ": its nodes have become collinear, so that they cannot transmit a moment");
     motion.inverse_inertia = factors.inverse();
 
     // 3. J w = sum A (R r) x v: the axial vector of sum A v (R r)^T less its transpose.

@@ -1,5 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/text/figure_text.h>
+#include <vfife/base/text/number_text.h>
 #include <vfife/bearing/rolling_bearing.h>
 #include <vfife/contact/law/hertz.h>
 
@@ -100,19 +102,23 @@ namespace vfife
   {
     const bool balls = data.element == RollingElement::ball;
     if (data.n < 3)
-      throw InputError("number of elements", "a bearing needs three or more");
+      throw InputError("number of elements", "expected 3 or more, got " + std::to_string(data.n));
     if (!(data.diameter > 0 && data.pitch_diameter > data.diameter))
       throw InputError("pitch diameter",
-                       "must be larger than the diameter of an element, and both positive");
+                       "must be larger than the diameter of an element; both must be positive");
     if (data.n * data.diameter > pi * data.pitch_diameter)
-      throw InputError("number of elements", "so many do not fit on the pitch circle");
-    if (balls && !(data.inner_conformity > .5 && data.outer_conformity > .5))
       throw InputError(
-        data.inner_conformity > .5 ? "outer conformity" : "inner conformity",
-        "a groove's radius is larger than that of the ball: above 0.5, usually 0.515 "
-        "to 0.53");
+        "number of elements",
+        std::to_string(data.n) + " elements of diameter " + number_text(data.diameter) +
+          " mm do not fit on pitch diameter " + number_text(data.pitch_diameter) + " mm (at most " +
+          std::to_string(static_cast<unsigned int>(pi * data.pitch_diameter / data.diameter)) +
+          ")");
+    if (balls && !(data.inner_conformity > .5 && data.outer_conformity > .5))
+      throw InputError(data.inner_conformity > .5 ? "outer conformity" : "inner conformity",
+                       "must be above 0.5 (usually 0.515 to 0.53), because the radius of a groove "
+                       "is larger than the radius of the ball");
     if (!balls && !(data.length > 0))
-      throw InputError("element length", "a roller needs one");
+      throw InputError("element length", "is required for rollers");
     constant_ = balls ? ball_constant(data) : roller_constant(data);
     check_interference();
     find_preload();
@@ -141,9 +147,10 @@ namespace vfife
     if (!(pressure <= static_pressure))
       {
         std::ostringstream text;
-        text << "an interference of " << -data_.clearance << " mm jams the bearing: without load "
-             << "its elements are pressed by " << pressure << " MPa, more than the "
-             << static_pressure << " MPa that races bear (ISO 76)";
+        text << "an interference of " << -data_.clearance
+             << " mm overloads the bearing: without load "
+             << "its elements have a pressure of " << pressure << " MPa, more than the "
+             << static_pressure << " MPa that ISO 76 allows on races";
         throw InputError("clearance", text.str());
       }
   }
@@ -279,8 +286,7 @@ namespace vfife
     if (data_.preload == 0)
       return;
     if (data_.preload < 0 || data_.contact_angle == 0)
-      throw InputError("preload",
-                       "is the axial force of a bearing with a contact angle, and not negative");
+      throw InputError("preload", "requires a contact angle above 0, and must not be negative");
     // The axial force grows with the way in its sense: bisection, up to depths that no bearing has.
     const auto force_at = [&](const double way) {
       offset_ = data_.sense * way;
@@ -288,7 +294,9 @@ namespace vfife
     };
     double low = 0, high = .2 * data_.diameter;
     if (force_at(high) < data_.preload)
-      throw InputError("preload", "the bearing cannot take so much");
+      throw InputError("preload",
+                       "exceeds the capacity of the bearing (at most " +
+                         figure_text(force_at(high)) + " N)");
     while (high - low > 1e-14 * data_.diameter)
       {
         const double middle                             = .5 * (low + high);
@@ -334,6 +342,7 @@ namespace vfife
           mu = 4. * mu + 1e-12 * stiffness_bound()(0, 0);
       }
     throw InputError("working load",
-                     "the bearing has no equilibrium under it: it is not held that way");
+                     "the bearing has no equilibrium under this load. Choose a direction that the "
+                     "bearing supports, or a smaller load");
   }
 } // namespace vfife

@@ -49,7 +49,7 @@ namespace vfife
     double least_ratio(const std::vector<double> &masses, const std::vector<double> &areas)
     {
       if (masses.size() != areas.size())
-        throw InputError("contact: there must be one mass for every surface node");
+        throw InputError("contact: expected one mass per surface node");
       double least = std::numeric_limits<double>::infinity();
       for (std::size_t i = 0; i < areas.size(); ++i)
         if (areas[i] > 0.)
@@ -155,7 +155,7 @@ namespace vfife
                            double              *master_forces)
   {
     if (!(penalty_ > 0.))
-      throw NumericalError("contact: no penalty has been set (Contact::set_penalty)");
+      throw NumericalError("contact: the penalty is not set (Contact::set_penalty)");
     std::vector<TouchingPoint> points = locate(slave, master, dt, 0.);
     find_explicit_pressures(dt, points);
     press(points, dt, slave_forces, master_forces);

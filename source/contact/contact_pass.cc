@@ -82,8 +82,8 @@ namespace vfife
       {
         const std::vector<unsigned int> &facets = slave_.group_facets(g);
         if (facets.size() * rule_.size() != of_group_points.size())
-          throw InputError("the stiffness of a contact needs one value per point of a group: " +
-                           std::to_string(facets.size() * rule_.size()) + ", not " +
+          throw InputError("stiffness of a contact: expected one value per point of a group (" +
+                           std::to_string(facets.size() * rule_.size()) + "), got " +
                            std::to_string(of_group_points.size()));
         for (std::size_t k = 0; k < facets.size(); ++k)
           std::copy_n(of_group_points.begin() + k * rule_.size(),

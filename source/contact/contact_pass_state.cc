@@ -13,7 +13,7 @@ namespace vfife
     std::size_t n = pairs_.size();
     stream.pass(n, n_wide_searches_);
     stream.require(n <= static_cast<std::size_t>(slave_.n_groups()) * master_.n_groups(),
-                   "more pairs of groups than there are");
+                   "more pairs of groups than the surfaces have");
     pairs_.resize(n);
     for (Pair &pair : pairs_)
       stream.pass(pair.slave_group,

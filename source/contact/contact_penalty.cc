@@ -35,7 +35,7 @@ namespace vfife
   {
     if (passes_.size() != 1)
       throw InputError("Contact/discretization",
-                       "points of a contact in two passes have no stiffness of their own");
+                       "expected one pass with a stiffness per contact point, got two passes");
     passes_.front().set_stiffness(of_group_points);
   }
 

@@ -145,9 +145,9 @@ namespace vfife
     for (n_sweeps_ = 0; change > tolerance; ++n_sweeps_)
       {
         if (n_sweeps_ == largest_sweeps)
-          throw NumericalError("the pressures of the contact are not found: after " +
+          throw NumericalError("the contact pressures did not converge: after " +
                                std::to_string(n_sweeps_) + " sweeps they change by " +
-                               std::to_string(change) + " of the largest one");
+                               std::to_string(change) + " of the largest pressure");
         for (Row &row : rows_)
           row.after = end_penetration(row);
         evaluate_law();
@@ -167,7 +167,7 @@ namespace vfife
             row.pressure   = pressure;
           }
         if (!std::isfinite(largest))
-          throw NumericalError("the pressures of the contact are not finite");
+          throw NumericalError("the contact pressures are not finite");
         change = largest > 0. ? largest_change / largest : 0.;
       }
     for (Row &row : rows_)

@@ -168,12 +168,11 @@ namespace vfife
     // What is at its default has not been given, as in a file that states all entries.
     if (damping_ratio > 0 && damping != default_damping_)
       throw InputError(section + "/damping ratio",
-                       "damping is given twice, as damping [1/s] and as damping ratio: leave one "
-                       "of them out");
+                       "expected damping [1/s] or a damping ratio, got both. Remove one of them");
     if ((damping_ratio > 0) != (damping_frequency > 0))
       throw InputError(section + (damping_ratio > 0 ? "/damping frequency" : "/damping ratio"),
                        damping_ratio > 0
-                         ? "is missing: a damping ratio holds at one frequency"
-                         : "is missing or zero, though a damping frequency is given");
+                         ? "is missing. Set the frequency at which the damping ratio holds"
+                         : "is missing or zero, but a damping frequency is given");
   }
 } // namespace vfife

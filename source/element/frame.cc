@@ -32,7 +32,7 @@ namespace vfife
     const Eigen::JacobiSVD<Matrix3> svd(F, Eigen::ComputeFullU | Eigen::ComputeFullV);
     const Matrix3                   R = svd.matrixU() * svd.matrixV().transpose();
     if (!(svd.singularValues()[2] > 0.) || !(R.determinant() > 0.))
-      throw NumericalError("An element is turned inside out: its mean deformation gradient has "
+      throw NumericalError("An element is inverted: its mean deformation gradient has "
                            "no polar rotation.");
     return R;
   }
@@ -43,8 +43,8 @@ namespace vfife
     const Vector3 side   = nodes.col(1) - nodes.col(0);
     const Vector3 normal = side.cross(nodes.col(2) - nodes.col(0));
     if (!(side.norm() > 0.) || !(normal.norm() > 0.))
-      throw NumericalError("The first three nodes of an element lie on one line: they give no "
-                           "three-node frame.");
+      throw NumericalError("The first three nodes of an element lie on one line, so that its "
+                           "three-node frame is undefined.");
     //     d
     //     |        e1 along a-b, e3 normal to the plane a-b-d, e2 in it:
     //     a----b   whatever the angle at a is.

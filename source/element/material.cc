@@ -120,7 +120,7 @@ namespace vfife
       found.push_back(text("Material ", name, "/Young's modulus = ", E, " MPa ", reason) +
                       likely_unit(moduli, E, "MPa", fits));
     };
-    const std::string of_none = "is that of no solid ";
+    const std::string of_none = "is outside the range of solids ";
     if (!rho_fits)
       doubt_density(text(of_none, "(", least_density, " to ", largest_density, " kg/m^3)"));
     if (!E_fits)
@@ -129,9 +129,9 @@ namespace vfife
       return found;
 
     // Each may be, both together are not: the density is to blame where it is that of a foam.
-    const std::string speed = text("is no solid: sound travels at ",
+    const std::string speed = text("gives a speed of sound of ",
                                    sound_speed(rho, E),
-                                   " m/s (in solids at ",
+                                   " m/s (solids: ",
                                    least_speed,
                                    " to ",
                                    largest_speed,
@@ -141,9 +141,9 @@ namespace vfife
     else if (is_too_soft(rho, E))
       doubt_modulus(text("with density = ",
                          rho,
-                         " kg/m^3 is no solid: those above ",
+                         " kg/m^3 is outside the range of solids: above ",
                          dense,
-                         " kg/m^3 have at least ",
+                         " kg/m^3 they have at least ",
                          least_dense_modulus,
                          " MPa"));
     else

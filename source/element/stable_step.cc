@@ -11,7 +11,7 @@ namespace vfife
   double compute_largest_frequency(const Matrix24 &K, const Eigen::Matrix<double, 8, 1> &mass)
   {
     if (!(mass.minCoeff() > 0.))
-      throw NumericalError("An element gives a node no mass: it is too distorted.");
+      throw NumericalError("An element is too distorted: one of its nodes has no mass.");
     // K x = omega^2 M x as the symmetric problem of M^-1/2 K M^-1/2;
     // eigenvalues come in rising order.
     Vector24 scale;

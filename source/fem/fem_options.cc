@@ -129,10 +129,10 @@ namespace vfife
         // Parsed already here: a speed that is no quantity is named with its entry.
         std::vector<double> values = rates();
         if (values.empty())
-          throw InputError("at least one speed is needed (0 for bodies at rest)");
+          throw InputError("expected at least one speed (0 for bodies at rest)");
         std::sort(values.begin(), values.end());
         if (std::adjacent_find(values.begin(), values.end()) != values.end())
-          throw InputError("a speed is given twice");
+          throw InputError("duplicate speed");
       }
     catch (const InputError &error)
       {
@@ -153,11 +153,9 @@ namespace vfife
                          section + "/element = quadratic or cubic.");
     if (eigen_solver == EigenSolverKind::lobpcg && eigen_tolerance > loosest_of_lobpcg)
       throw InputError(section + "/eigenvalue tolerance",
-                       "with \"lobpcg\" at most 1e-5: it measures the residual by a shape of modal "
-                       "mass 1 t, which makes that of the mode itself up to thousands of times "
-                       "larger, and beyond 1e-3 a shape is no mode");
+                       "must be at most 1e-5 with \"lobpcg\", whose residuals are up to thousands "
+                       "of times larger for the mode itself");
     if (coriolis && eigen_solver == EigenSolverKind::lobpcg)
-      throw InputError(section + "/coriolis",
-                       "Coriolis forces need the eigenvalue solver \"shift-invert\"");
+      throw InputError(section + "/coriolis", "requires the eigenvalue solver \"shift-invert\"");
   }
 } // namespace vfife

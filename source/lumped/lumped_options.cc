@@ -48,7 +48,7 @@ namespace vfife
     {
       if (!given)
         throw InputError("Lumped/" + entry,
-                         entry + " is missing: give it, or a section Gear pair to take it from");
+                         entry + " is missing. Set it, or add a section Gear pair that defines it");
     }
   } // namespace
 
@@ -79,13 +79,16 @@ namespace vfife
   void SupportOptions::check(const std::string &section) const
   {
     if (!(direction.norm() > 0))
-      throw InputError(section + "/direction", "a support needs a direction");
+      throw InputError(section + "/direction",
+                       "expected a direction of the support, got the zero vector");
     if (!((tilts ? inertia : mass) > 0))
       throw InputError(section + (tilts ? "/inertia" : "/mass"),
-                       tilts ? "a tilt needs an inertia" : "a translation needs a mass");
+                       tilts ? "must be positive for a tilt"
+                             : "must be positive for a translation");
     if (!((tilts ? tilt_stiffness : stiffness) > 0))
       throw InputError(section + (tilts ? "/tilt stiffness" : "/stiffness"),
-                       tilts ? "a tilt needs a tilt stiffness" : "a translation needs a stiffness");
+                       tilts ? "must be positive for a tilt"
+                             : "must be positive for a translation");
   }
 
   void LumpedOptions::declare_mesh(dealii::ParameterHandler &prm)
@@ -253,9 +256,9 @@ namespace vfife
               value *= stiffness;
             }
         if (!(sum < 1))
-          throw InputError("Lumped/stiffness cosines",
-                           "amplitudes of the stiffness must be less than 1 together, or it could "
-                           "be negative");
+          throw InputError(
+            "Lumped/stiffness cosines",
+            "the sum of all amplitudes must be below 1; otherwise the stiffness becomes negative");
         pair.law.stiffness = FourierSeries(stiffness, cosines, sines);
         pair.law.unloaded_error =
           FourierSeries(0.,

@@ -243,8 +243,9 @@ namespace vfife
         sample.v            = motion.velocities(y);
         const double energy = model_.compute_energy(sample.q, sample.v, sample.position);
         if (!std::isfinite(energy))
-          throw NumericalError("the motion of the lumped model is lost at the mesh frequency " +
-                               std::to_string(mesh_frequency) + " Hz");
+          throw NumericalError(
+            "the motion of the lumped model is not finite at the mesh frequency " +
+            std::to_string(mesh_frequency) + " Hz");
         sample.energy_error = energy - start_energy - motion.received(y);
         // The last sample is the first of the next mesh: it only hands over the motion.
         if (i == last)

@@ -51,8 +51,8 @@ namespace vfife
         if (!(windup > 0) || !(tangent[i] > 0) ||
             std::abs(1e3 * std::abs(torque[i]) - T0) > 1e-3 * T0)
           throw InputError("the table \"" + path +
-                           "\" must hold one torque, lags that grow under it and positive tangent "
-                           "stiffnesses");
+                           "\" must have one torque, lags that grow under this torque, and "
+                           "positive tangent stiffnesses");
         const double slope = 1e3 * tangent[i];
         const bool   line  = law == LoadLaw::tangent;
         stiffness.push_back(line ? slope : T0 / windup);

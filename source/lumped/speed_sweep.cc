@@ -39,7 +39,7 @@ namespace vfife
   void SpeedSweepOptions::check(const std::string &section) const
   {
     if (kind != SweepKind::none && !(lowest_speed > 0 && highest_speed > lowest_speed))
-      throw InputError(section + "/lowest speed", "a sweep needs 0 < lowest speed < highest speed");
+      throw InputError(section + "/lowest speed", "must be positive and below highest speed");
   }
 
   Table make_resonance_response_table()

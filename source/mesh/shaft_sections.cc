@@ -40,29 +40,28 @@ namespace vfife
             const std::optional<double> number = plain_number(word);
             if (!number)
               throw InputError(entry,
-                               name + ": \"" + word +
-                                 "\" is no number; a section is FROM TO OUTER [INNER]");
+                               name + ": expected numbers FROM TO OUTER [INNER], got \"" + word +
+                                 "\"");
             numbers.push_back(*number);
           }
         if (numbers.size() != 3 && numbers.size() != 4)
           throw InputError(entry,
-                           name + " has " + std::to_string(numbers.size()) +
-                             " numbers; a section is FROM TO OUTER [INNER]");
+                           name + ": expected FROM TO OUTER [INNER], got " +
+                             std::to_string(numbers.size()) + " numbers");
         sections.push_back(
           {numbers[0], numbers[1], numbers[2], numbers.size() == 4 ? numbers[3] : 0.});
         const ShaftSection &now = sections.back();
         if (!(now.to > now.from))
-          throw InputError(entry, name + " must end behind its beginning");
+          throw InputError(entry, name + " must have TO above FROM");
         if (!(now.outer > now.inner) || now.inner < 0)
           throw InputError(entry,
-                           name + ": the outer diameter must be larger than the inner one, and "
-                                  "neither negative");
+                           name + ": OUTER must be larger than INNER, and neither may be negative");
         for (std::size_t k = 0; k + 1 < sections.size(); ++k)
           if (overlap(sections[k], now))
             throw InputError(entry, name + " crosses section " + std::to_string(k + 1));
       }
     if (sections.empty())
-      throw InputError(entry, "is missing; a section is FROM TO OUTER [INNER]");
+      throw InputError(entry, "expected sections FROM TO OUTER [INNER], got none");
     return sections;
   }
 

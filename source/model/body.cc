@@ -49,10 +49,10 @@ namespace vfife
         if (!(compute_least_gauss_jacobian(nodes) > 0))
           {
             const Vector3 c = nodes.rowwise().mean();
-            throw InputError("body \"" + name_ + "\": element " + std::to_string(e) + " at (" +
-                             std::to_string(c[0]) + ", " + std::to_string(c[1]) + ", " +
-                             std::to_string(c[2]) +
-                             ") mm of the body frame is inverted; change the mesh or body sizes");
+            throw InputError(
+              "body \"" + name_ + "\": element " + std::to_string(e) + " at (" +
+              std::to_string(c[0]) + ", " + std::to_string(c[1]) + ", " + std::to_string(c[2]) +
+              ") mm of the body frame is inverted. Change the mesh or the body sizes");
           }
         // M_a = sum over elements of rho int N_a dV
         const auto masses = compute_lumped_mass(nodes, material(e).density);

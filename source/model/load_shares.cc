@@ -21,8 +21,9 @@ namespace vfife
       }
     if (load.kind == LoadKind::pressure &&
         find_boundary_faces(body, load.nodes, load.faces).empty())
-      throw InputError("load \"" + load.name + "\": its nodes carry no face of body \"" +
-                       body.name() + "\" that the pressure could act on");
+      throw InputError("load \"" + load.name + "\": the nodes contain no face of body \"" +
+                       body.name() +
+                       "\". Select all nodes of the faces on which the pressure acts");
     return compute_area_shares(body, load.nodes, load.faces);
   }
 
@@ -66,8 +67,8 @@ namespace vfife
         moment += shares.back() * radius;
       }
     if (!(moment > 0))
-      throw InputError("torque \"" + torque.name + "\": its nodes carry no area of body \"" +
-                       body.name() + "\" away from the axis, so it finds no arm");
+      throw InputError("torque \"" + torque.name + "\": the nodes contain no face of body \"" +
+                       body.name() + "\" away from the axis. Select faces with a lever arm");
     for (double &share : shares)
       share /= moment;
     return shares;

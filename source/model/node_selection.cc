@@ -38,7 +38,7 @@ namespace vfife
     if (body.empty() && bodies.size() == 1)
       return 0;
     throw InputError(section + "/" + entry,
-                     "there is no body \"" + body + "\" (bodies: " + list_of(names) + ")" +
+                     "expected a body, got \"" + body + "\" (bodies: " + list_of(names) + ")" +
                        did_you_mean(body, names));
   }
 
@@ -62,7 +62,7 @@ namespace vfife
             throw InputError(section + "/nodes", error.what());
           }
     if (sets.empty())
-      throw InputError(section + "/nodes", "which nodes? (a set of the body, or all)");
+      throw InputError(section + "/nodes", "is empty. Give node sets of the body, or all");
     if (!where.empty())
       try
         {

@@ -35,9 +35,10 @@ namespace vfife
       {
         const double value = parse_quantity(text, "-");
         if (!(value >= 0 && value <= 1000) || value != std::floor(value))
-          throw InputError("\"" + text + "\" is no number of nodal diameters: 0, 1, 2, 3 ...");
+          throw InputError("expected a number of nodal diameters (0, 1, 2, 3 ...), got \"" + text +
+                           "\"");
         if (std::find(numbers.begin(), numbers.end(), value) != numbers.end())
-          throw InputError("\"" + text + "\" is given twice");
+          throw InputError("duplicate number of nodal diameters \"" + text + "\"");
         numbers.push_back(static_cast<unsigned int>(value));
       }
     return numbers;
@@ -123,8 +124,7 @@ namespace vfife
   void OutputOptions::refuse_stress_waves(const std::string &section) const
   {
     if (!stress_waves.empty())
-      throw InputError(section + "/stress waves",
-                       "waves of stress are those of a gear pair's sectors");
+      throw InputError(section + "/stress waves", "requires a gear pair with sectors");
   }
 
   unsigned int OutputOptions::count_tracked_orders() const
@@ -139,7 +139,7 @@ namespace vfife
       return history_every;
     if (!(dt > 0) || !(transmission->mesh_frequency() > 0))
       throw InputError("Output/history every",
-                       "samples per tooth mesh need a turning gear pair and a time step");
+                       "samples per tooth mesh require a rotating gear pair and a time step");
     // The small addition keeps 49.999999 steps, which are 50 but for round-off, from becoming 49.
     const double steps = std::floor(steps_per_mesh(*transmission, dt) / history_every + 1e-6);
     return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(steps));
@@ -156,7 +156,7 @@ namespace vfife
       {
         if (fields_every != std::floor(fields_every))
           throw InputError("Output/fields every",
-                           "without a gear pair samples are counted, of which there are no parts");
+                           "expected a whole number of samples for a model without a gear pair");
         return static_cast<std::uint64_t>(fields_every) * sample;
       }
     const double samples = std::round(fields_every * steps_per_mesh(*transmission, dt) / sample);

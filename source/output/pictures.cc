@@ -109,7 +109,7 @@ namespace vfife
     if (outcome.exit_code == 0)
       log.line(last_line(outcome.text));
     else if (lacks_something(outcome))
-      log.line("no pictures: they need python3 with numpy, matplotlib, Jinja2 and meshio (",
+      log.line("no pictures: python3 with numpy, matplotlib, Jinja2 and meshio is required (",
                last_line(outcome.text),
                ")");
     else

@@ -27,14 +27,14 @@ namespace vfife
       for (const unsigned int node : touch_nodes)
         if (structure.sector_of(node) != 0)
           throw InputError(name + "node " + std::to_string(node) +
-                           " that forces act on is none of sector 0, which has nodes 0 to " +
+                           " with a force is outside sector 0, which has nodes 0 to " +
                            std::to_string(structure.nodes_per_sector() - 1));
       for (const SectorReading &reading : readings)
         for (const auto &weight : reading.weights)
           if (weight.first >= body.n_nodes())
-            throw InputError(name + "reading \"" + reading.name + "\" is of node " +
-                             std::to_string(weight.first) + ", of which there are " +
-                             std::to_string(body.n_nodes()));
+            throw InputError(name + "reading \"" + reading.name + "\" uses node " +
+                             std::to_string(weight.first) + " of " +
+                             std::to_string(body.n_nodes()) + " nodes");
     }
 
     /** Touch nodes along the axes of the body frame, then the readings. */

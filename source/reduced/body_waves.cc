@@ -170,7 +170,7 @@ namespace vfife
       }
     std::ostringstream text;
     text << "mesh order " << mesh_order << " and the wave of " << wave.diameters
-         << " nodal diameters have no rate where they meet near " << rate * 30. / pi << " rpm";
+         << " nodal diameters have no common speed near " << rate * 30. / pi << " rpm";
     throw NumericalError(text.str());
   }
 } // namespace vfife

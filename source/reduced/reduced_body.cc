@@ -124,7 +124,7 @@ namespace vfife
       pass_matrix(rings.stiffness, stream);
       Eigen::MatrixXd inertia = rings.inertia;
       pass_matrix(inertia, stream);
-      stream.require(inertia.rows() == 6 && inertia.cols() == 6, "an inertia that is none");
+      stream.require(inertia.rows() == 6 && inertia.cols() == 6, "the inertia is not valid");
       rings.inertia = inertia;
       for (Eigen::MatrixXcd &answers : rings.answers)
         pass_matrix(answers, stream);
@@ -166,6 +166,6 @@ namespace vfife
                 body.counted,
                 body.memory);
     serialize(body.rings, stream);
-    stream.require(has_consistent_sizes(body), "a reduced body whose parts do not fit each other");
+    stream.require(has_consistent_sizes(body), "the parts of a reduced body do not match");
   }
 } // namespace vfife

@@ -26,7 +26,7 @@ namespace vfife
       require_reducible(model);
       if (!bodies[model.transmission->driven].turns)
         throw InputError("body \"" + model.bodies[model.transmission->driven].name() +
-                         "\" is driven, but something holds its turn about its axis");
+                         "\" is driven, but a constraint holds its rotation about its axis");
       return model;
     }
   } // namespace
@@ -34,12 +34,12 @@ namespace vfife
   void require_reducible(const Model &model)
   {
     if (!model.transmission || model.contacts.empty())
-      throw InputError("a reduced pair needs a gear pair with contact");
+      throw InputError("expected a gear pair with contact");
     for (const ContactPair &pair : model.contacts)
       if (pair.options.damping_ratio > 0 || pair.options.friction.acts())
         throw InputError("contact \"" + pair.side +
-                         "\": a reduced pair has no friction and no damping of the contact; set "
-                         "Contact/friction coefficient and Contact/damping ratio to 0");
+                         "\": a reduced pair does not support friction and damping of the contact. "
+                         "Set Contact/friction coefficient and Contact/damping ratio to 0");
   }
 
   ReducedPair::ReducedPair(const Model              &model,
@@ -211,10 +211,10 @@ namespace vfife
     if (std::abs(turned) * t.driven_teeth < largest_turn * 2. * pi)
       return;
     std::ostringstream text;
-    text
-      << "at step " << step_ << " (" << 1e3 * time_ << " ms) the driven body turned by "
-      << turned * 180. / pi << " degrees beyond the driver in one step of " << 1e6 * options_.step
-      << " us: flanks would pass through each other; take smaller steps (Reduced/steps per mesh)";
+    text << "at step " << step_ << " (" << 1e3 * time_ << " ms) the driven body turned by "
+         << turned * 180. / pi << " degrees beyond the driver in one step of "
+         << 1e6 * options_.step
+         << " us, so that flanks pass through each other. Increase Reduced/steps per mesh";
     throw NumericalError(text.str());
   }
 

@@ -181,7 +181,7 @@ namespace vfife
         for (unsigned int k = 0; other != FacetSurface::no_facet && k < 4; ++k)
           if (corner(other, k + 1) == a)
             return {other, k, !edge.forward};
-        throw InputError("the surface " + surface_.name + " has nothing beside its fillet");
+        throw InputError("the surface " + surface_.name + " has no flank next to its fillet");
       }
 
       std::vector<unsigned int> fillet_, flank_, toe_;

@@ -52,17 +52,18 @@ namespace vfife
   {
     const std::string entry = std::string(section) + "/named teeth";
     if (teeth == RecordedTeeth::named && named_teeth.empty())
-      throw InputError(entry, "teeth = named, and no tooth is named, as \"pinion 0\"");
+      throw InputError(entry, "expected the names of teeth, such as \"pinion 0\", got none");
     if (teeth != RecordedTeeth::named && !named_teeth.empty())
-      throw InputError(entry, "teeth are named; they are recorded with teeth = named");
+      throw InputError(entry, "requires teeth = named");
     const std::vector<std::string> members = {"pinion", "gear"};
     for (const std::string &name : named_teeth)
       {
         const std::string member = name.substr(0, name.find(' '));
         if (std::count(members.begin(), members.end(), member) == 0 || name == member)
-          throw InputError(entry,
-                           "\"" + name + "\" is no tooth of the pinion or the gear, as \"gear 3\"" +
-                             did_you_mean(member, members));
+          throw InputError(
+            entry,
+            "expected a tooth of the pinion or the gear, such as \"gear 3\", got \"" + name + "\"" +
+              did_you_mean(member, members));
       }
   }
 

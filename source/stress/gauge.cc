@@ -52,7 +52,7 @@ namespace vfife
   {
     if (options.tooth >= fillet.n_teeth())
       throw InputError(section + "/tooth",
-                       "the " + options.body + " has the teeth 0 to " +
+                       "expected a tooth of the " + options.body + " from 0 to " +
                          std::to_string(fillet.n_teeth() - 1));
     const Vector2 middle = find_middle(options);
     points_              = walk(middle, options.direction + pi, .5 * options.length, section);
@@ -161,7 +161,7 @@ namespace vfife
         if (beyond != nullptr)
           throw InputError(section + "/length",
                            std::string("the gauge reaches beyond ") + beyond +
-                             ": there is room for " + room.str() + " mm about its middle");
+                             ". The largest length about its middle is " + room.str() + " mm");
         left -= ds;
         points.push_back(make_point(place));
       }

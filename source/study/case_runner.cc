@@ -79,7 +79,7 @@ namespace vfife
     before.parameter_file = line.output_folder + "/parameters.prm";
     const CaseFile now    = read(line);
     if (!has_results(line.output_folder, now.last_file))
-      return "the earlier one has not finished";
+      return "the earlier run has not finished";
     const ParameterFile stated(before.parameter_file);
     const CaseFile      then    = read(before);
     const auto          digests = read_input_digests(line.output_folder);
@@ -199,6 +199,6 @@ namespace vfife
       {
         return {Outcome::failed, error.what()};
       }
-    return {Outcome::finished, line.restart ? "went on from a checkpoint" : ""};
+    return {Outcome::finished, line.restart ? "continued from a checkpoint" : ""};
   }
 } // namespace vfife

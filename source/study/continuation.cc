@@ -53,23 +53,22 @@ namespace vfife
         return *entry.now == entry.default_now
                  ? ""
                  : "is " + quoted(*entry.now) +
-                     ", but the run was begun without this entry: it goes on with " +
-                     quoted(entry.default_now) + " only";
+                     ", but the run started without this entry and continues only with " +
+                     quoted(entry.default_now);
       if (!entry.now)
         return !entry.was_set ? ""
-                              : "the run was begun with " + quoted(*entry.before) +
-                                  ", but there is no such entry now";
+                              : "the run started with " + quoted(*entry.before) +
+                                  ", but this version does not have the entry";
       if (entry.digest_before)
         {
           const std::string other =
             find_other_content(*entry.before, *entry.digest_before, *entry.now);
-          return other.empty() ? ""
-                               : other + "; begin anew without --restart, or put that content back";
+          return other.empty() ? "" : other + ". Restore that content, or start without --restart";
         }
       return *entry.before == *entry.now
                ? ""
-               : "is " + quoted(*entry.now) + ", but the run was begun with " +
-                   quoted(*entry.before) + "; a run that goes on may change only " +
+               : "is " + quoted(*entry.now) + ", but the run started with " +
+                   quoted(*entry.before) + "; a continued run may change only " +
                    list_of(changeable, true);
     }
 
@@ -97,11 +96,12 @@ namespace vfife
       if (!errors.empty())
         throw InputErrors(errors);
       if (!younger.empty())
-        checkpoint.remarks.push_back("not known when the run was begun, at the default: " +
-                                     list_of(younger));
+        checkpoint.remarks.push_back(
+          "entries that the version of the start did not have, at the default: " +
+          list_of(younger));
       if (!gone.empty())
-        checkpoint.remarks.push_back("at the default when the run was begun, not known now: " +
-                                     list_of(gone));
+        checkpoint.remarks.push_back(
+          "entries at the default at the start that this version does not have: " + list_of(gone));
     }
   } // namespace
 
@@ -115,10 +115,10 @@ namespace vfife
     if (digest == digest_before &&
         fs::path(name_before).extension() == fs::path(name_now).extension())
       return "";
-    return "expected the content of \"" + name_before + "\" with which the results were begun (" +
+    return "expected the content of \"" + name_before + "\" with which the results were started (" +
            digest_before + "), got " +
-           (digest.empty() ? "\"" + name_now + "\", which is no file that can be read"
-                           : "that of \"" + name_now + "\" (" + digest + ")");
+           (digest.empty() ? "\"" + name_now + "\", which cannot be read"
+                           : "the content of \"" + name_now + "\" (" + digest + ")");
   }
 
   std::vector<std::string> list_changeable(const bool longer)

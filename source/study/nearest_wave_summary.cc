@@ -78,7 +78,7 @@ namespace vfife
         if (const auto nearest = find())
           report_nearest_wave(*nearest, log, summary);
         else
-          reason = "none of the mesh orders 1 to 3 meets one near this speed";
+          reason = "mesh orders 1 to 3 excite no wave near this speed";
       }
     catch (const InputError &error)
       {
@@ -89,7 +89,7 @@ namespace vfife
         reason = error.what();
       }
     if (!reason.empty())
-      log.line("nearest wave: not known; ", reason);
+      log.line("nearest wave: not available, ", reason);
     log.line("  waves in contact found in ", duration_text(seconds_since(start)));
   }
 

@@ -87,8 +87,8 @@ namespace vfife
                 // as in find_kinds()
               }
           if (!takers.empty())
-            throw InputError(file.locate(name) + ": this kind of study takes no section \"" + name +
-                             "\"; kinds that do (Study/kind): " + list_of(takers));
+            throw InputError(file.locate(name) + ": this kind of study has no section \"" + name +
+                             "\"; kinds with this section (Study/kind): " + list_of(takers));
         }
     }
 

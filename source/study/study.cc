@@ -105,7 +105,7 @@ namespace vfife
     void log_passed_over(const OtherSections &others, Log &log)
     {
       if (!others.passed_over.empty())
-        log.line("not read by this kind of study: ", list_of(others.passed_over));
+        log.line("ignored by this kind of study: ", list_of(others.passed_over));
     }
 
     /** Of the gear pair that this kind of study reads, if it does: entries alone do not tell what
@@ -191,7 +191,7 @@ namespace vfife
           absolute.reset();
           log.line("vfife: ", file.path(), ", results in ", folder.path());
           if (has_earlier)
-            log.line("results of an earlier study are put away in ", folder.file("previous"));
+            log.line("results of an earlier study are moved to ", folder.file("previous"));
           log_passed_over(read.others, log);
           if (geometry)
             {

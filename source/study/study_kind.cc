@@ -12,8 +12,8 @@ namespace vfife
   std::size_t
   StudyKind::resume(const std::string &, const DeclaredSection &, const Communicator &, Log &)
   {
-    throw InputError("Study/kind",
-                     "--restart goes on from checkpoints, and this kind has none; kinds run, "
-                     "reduced, sweep, compare and waves have");
+    throw InputError(
+      "Study/kind",
+      "--restart is not available for this kind (available: run, reduced, sweep, compare, waves)");
   }
 } // namespace vfife

@@ -45,10 +45,10 @@ namespace vfife
     for (const Load &load : model.loads)
       if (load.kind == LoadKind::spring && load.body == body)
         throw InputError("Model/constraints",
-                         "the spring \"" + load.name + "\" stands still and its body \"" +
+                         "the spring \"" + load.name + "\" is stationary, but its body \"" +
                            model.bodies[body].name() +
-                           "\" turns: that is no state of rest in turning axes. Take a bearing "
-                           "instead, or kind = run");
+                           "\" rotates, so that the rotating frame has no state of rest. Use a "
+                           "bearing, or kind = run");
   }
 
   void refuse_standing_loads(const Model                     &model,
@@ -64,11 +64,9 @@ namespace vfife
         for (const Load &load : model.loads)
           if (load.body == b && !stands_along_axis(load, body.axis.direction))
             throw InputError("Model/loads",
-                             "expected loads along the axis of the body \"" + body.name() +
-                               "\", which turns, got \"" + load.name +
-                               "\" across it: it stands in space, and would turn with the body "
-                               "here. " +
-                               remedy);
+                             "expected loads along the axis of the rotating body \"" + body.name() +
+                               "\", got \"" + load.name +
+                               "\" across the axis, which is stationary in space. " + remedy);
       }
   }
 
@@ -76,12 +74,12 @@ namespace vfife
   {
     const FemSpace        d(model, {body}, FemElement::incompatible_modes);
     const BearingRings    rings(d);
-    const Eigen::MatrixXd K    = rings.stiffness([](unsigned int) { return 0.; }),
-                          mean = rings.mean_over_turns(K, [](unsigned int) { return 1.; });
-    const std::string consequence =
-      "; in axes that turn with the body \"" + model.bodies[body].name() +
-      "\" the mean over its turns is taken instead, so that frequencies and displacements are "
-      "those of bearings alike all around. A run has the bearings as they are";
+    const Eigen::MatrixXd K       = rings.stiffness([](unsigned int) { return 0.; }),
+                          mean    = rings.mean_over_turns(K, [](unsigned int) { return 1.; });
+    const std::string consequence = "; in the rotating frame of the body \"" +
+                                    model.bodies[body].name() +
+                                    "\" the program uses the mean over its rotation, that is, "
+                                    "isotropic bearings. A run uses the given bearings";
     bool         is_told = false;
     unsigned int ring    = 0;
     for (const Bearing &bearing : model.bearings)

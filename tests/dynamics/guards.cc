@@ -83,7 +83,7 @@ namespace
     model.contacts.push_back(pair);
     const std::string message = fail(model);
     check("sinking surface is named",
-          contains(message, "runaway penetration at time 0.0011") &&
+          contains(message, "penetration exceeds the limit at time 0.0011") &&
             contains(message, "faces side: \"falling\", tooth or group 0, facet ") &&
             contains(message, "deep in \"resting\", tooth or group 0, facet ") &&
             contains(message, "(limit 100 um, Contact/penetration limit)"));
@@ -113,7 +113,7 @@ namespace
     // Three times the speed of waves.
     const std::string message = fail(make_thrown_block(1.5e7));
     check("a body behind a wall is named",
-          contains(message, "runaway penetration at time ") &&
+          contains(message, "penetration exceeds the limit at time ") &&
             contains(message, "contact \"floor\": body \"block\", node ") &&
             contains(message, " um behind the wall (limit 1000 um, half a facet)"));
   }

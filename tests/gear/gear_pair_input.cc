@@ -41,7 +41,7 @@ void check_missing_entries()
   expect("nothing given",
          [](Options &o) { o = Options(); },
          "Proposal",
-         {"there is no gear pair", "set pinion teeth"});
+         {"expected a gear pair", "set pinion teeth"});
   expect("missing face width",
          [](Options &o) { o.gear.blank.face_width = 0; },
          "Gear/Blank/face width",

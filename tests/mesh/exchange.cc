@@ -348,8 +348,8 @@ namespace
     check("refuses an unknown format", says("mesh.step", ".msh, .inp"));
     check("refuses tetrahedra (inp)", says("tetrahedra.inp", "C3D4"));
     check("refuses an inverted element", says("inverted.inp", "inverted"));
-    check("refuses an unknown node", says("no_node.inp", ":11: there is no node 9"));
-    check("refuses letters (inp)", says("letters.inp", ":2: \"zero\" is no number"));
+    check("refuses an unknown node", says("no_node.inp", ":11: node 9 does not exist"));
+    check("refuses letters (inp)", says("letters.inp", ":2: expected a number, got \"zero\""));
     check("refuses an empty file", says("empty.inp", "no hexahedra"));
     check("refuses letters (msh)", says("letters.msh", "cannot be read"));
     check("refuses tetrahedra (msh)", says("tetrahedra.msh", "hexahedra"));

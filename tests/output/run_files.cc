@@ -210,9 +210,9 @@ namespace
           last != std::string::npos && text.find("100 %", last + 1) == std::string::npos &&
             text.find("left", last) == std::string::npos);
     check("expected time of the whole run and of its part",
-          text.find("by the first 200 steps a step takes ") != std::string::npos &&
-            text.find("the whole run of 640 steps: about ") != std::string::npos &&
-            text.find("this part of 160 steps: about ") != std::string::npos);
+          text.find(" ms (mean of the first 200); ") != std::string::npos &&
+            text.find("the whole run of 640 steps takes about ") != std::string::npos &&
+            text.find("this part of 160 steps takes about ") != std::string::npos);
     check("quiet screen", screen.str().empty());
     std::cout << duration_text(41.2) << ", " << duration_text(125) << ", "
               << duration_text(3 * 3600 + 12 * 60) << ", "

@@ -37,8 +37,8 @@ class Damaged(unittest.TestCase):
             self.assertFalse((folder / "report.html").exists())
 
     def test_tables(self):
-        self.refuse("history.csv:3:10: byte 0xFF is no text in UTF-8", "history.csv", b"e-05,-79.5", b"e-05,-79\xff.5")
-        self.refuse('history.csv:2: "x" in column "dte" is no number', "history.csv", b"0.0,-80.0,", b"0.0,x,")
+        self.refuse("history.csv:3:10: byte 0xFF is not UTF-8 text", "history.csv", b"e-05,-79.5", b"e-05,-79\xff.5")
+        self.refuse('history.csv:2: expected a number in column "dte", got "x"', "history.csv", b"0.0,-80.0,", b"0.0,x,")
         self.refuse("history.csv:2: 5 cells, but the header has 6", "history.csv", b"0.0,-80.0,", b"0.0,")
         self.refuse("history.csv:2: 1e300 in column", "history.csv", b"0.0,-80.0,", b"0.0,1e300,")
         self.refuse("history.csv:3: the time goes back", "history.csv", b"0.0,-80.0,", b"1.0,-80.0,")

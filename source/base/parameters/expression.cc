@@ -60,7 +60,7 @@ namespace vfife
             {
               if (open.back().has_comparison)
                 throw InputError("\"" + comparison +
-                                 "\" compares the outcome of a comparison; join two of them by "
+                                 "\" compares the result of a comparison; join two comparisons by "
                                  "&&, as in 0 < x && x < 5");
               open.back().has_comparison = true;
               i += comparison.size() - 1;
@@ -72,8 +72,8 @@ namespace vfife
           else if (letter == ')' && open.size() > 1)
             open.pop_back();
           else if (letter == ',' && !open.back().of_function)
-            throw InputError("a comma stands outside the brackets of a function; the decimal sign "
-                             "is a point");
+            throw InputError("a comma is allowed only between the arguments of a function; the "
+                             "decimal sign is a point");
           else if (std::string("&|?:,").find(letter) != std::string::npos)
             open.back().has_comparison = false;
         }
@@ -200,8 +200,8 @@ namespace vfife
     add("t", t, "s");
     throw InputError(parser_->entry,
                      "formula \"" + formula_ + "\" has no value" + place +
-                       ": a division by zero, or a root, power or logarithm of a number that has "
-                       "none; leave that out by a condition, as in x > 0 ? sqrt(x) : 0");
+                       ": it divides by zero, or takes a root, power or logarithm of an invalid "
+                       "number. Exclude this place by a condition, as in x > 0 ? sqrt(x) : 0");
   }
 
   bool has_word(const std::string &formula, const std::string_view name)

@@ -81,7 +81,7 @@ namespace vfife
     {
       for (const DeclaredSection::Entry &entry : section.entries)
         if (names_a_file(entry.pattern, entry.value) && !is_there(entry.value))
-          missing.emplace_back(path + entry.name, "there is no file \"" + entry.value + "\"");
+          missing.emplace_back(path + entry.name, "file \"" + entry.value + "\" does not exist");
       for (const DeclaredSection &inner : section.sections)
         add_missing_files(inner, path + inner.name + "/", missing);
     }

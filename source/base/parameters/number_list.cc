@@ -68,9 +68,9 @@ namespace vfife
           one += (one.empty() ? "" : ",") + trimmed(part);
           apart += (apart.empty() ? "" : ", ") + trimmed(part);
         }
-      throw InputError("\"" + one + "\" may be one number or " + std::to_string(run.size()) +
-                       ": write a point as decimal sign and nothing between thousands, or a blank "
-                       "behind each comma of a list (\"" +
+      throw InputError("\"" + one + "\" may mean one number or " + std::to_string(run.size()) +
+                       ". Write a decimal point and no separator of thousands, or a blank after "
+                       "each comma of a list (\"" +
                        apart + "\")");
     }
 
@@ -84,7 +84,7 @@ namespace vfife
         {
           list.push_back(trimmed(part));
           if (list.back().empty())
-            throw InputError("a number is missing beside a comma");
+            throw InputError("empty number in the list");
         }
       return list;
     }

@@ -103,9 +103,9 @@ namespace vfife
       if (section.find_section(statement.name) != nullptr)
         message += "; it is a section: subsection " + statement.name + " ... end";
       else if (hint.empty() && others.size() == 1)
-        message += "; it is one of " + quoted_section(others[0]);
+        message += "; it belongs to " + quoted_section(others[0]);
       else if (hint.empty() && !others.empty() && others.size() <= most_named)
-        message += "; it is one of the sections " + list_of(others, true);
+        message += "; it belongs to the sections " + list_of(others, true);
       else if (hint.empty())
         message +=
           known.empty() ? "; no entries are allowed there" : "; allowed: " + list_of(known);

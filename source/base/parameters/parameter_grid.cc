@@ -40,7 +40,8 @@ namespace vfife
         throw InputError(name + ": the number at " + place + " is missing");
       const std::optional<double> number = plain_number(cell);
       if (!number)
-        throw InputError(name + ": \"" + shown(cell) + "\" at " + place + " is no number");
+        throw InputError(name + ": expected a number at " + place + ", got \"" + shown(cell) +
+                         "\"");
       return *number;
     }
 
@@ -48,7 +49,7 @@ namespace vfife
     {
       if (rows < 2 || columns < 2)
         throw InputError(name + " has " + std::to_string(rows) + " rows and " +
-                         std::to_string(columns) + " columns; at least 2 of each are needed");
+                         std::to_string(columns) + " columns; expected at least 2 of each");
     }
 
     /** Index of a row or column from its number in a table. */
@@ -57,8 +58,8 @@ namespace vfife
       // far above any grid: a slip would else reserve all memory
       constexpr double largest = 10000.;
       if (!(number >= 1. && number <= largest) || number != std::floor(number))
-        throw InputError(name + ": " + what + " " + number_text(number) +
-                         " is not a whole number from 1 on");
+        throw InputError(name + ": expected a whole number of at least 1 as " + what + ", got " +
+                         number_text(number) + "");
       return static_cast<std::size_t>(number) - 1;
     }
   } // namespace

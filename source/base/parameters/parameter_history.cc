@@ -179,7 +179,7 @@ namespace vfife
             rest, (i - 1) * step, i * step, tolerance, iterations);
           return 0.5 * (found.first + found.second);
         }
-    throw InputError("falls to zero, or nearly so, before that");
+    throw InputError("reaches zero, or almost zero, before the end");
   }
 
   std::pair<double, double> ParameterHistory::find_range(const double end) const
@@ -224,7 +224,8 @@ namespace vfife
       for (const auto &row : given)
         read_quantity_in_range(number_text(in_unit(row.second, unit)), unit, range);
       if (both.first == 0)
-        throw InputError("what changes with time must not be zero at time zero");
+        throw InputError("the value at t = 0 must not be zero, because it is the reference of the "
+                                         "formula or table");
       for (auto &row : history.rows_)
         row.second /= both.first;
       for (double &area : history.areas_)

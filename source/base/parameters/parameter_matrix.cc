@@ -58,14 +58,14 @@ namespace vfife
               {
                 const std::optional<double> number = plain_number(word);
                 if (!number)
-                  refuse("\"" + word + "\" is no number");
+                  refuse("expected a number, got \"" + word + "\"");
                 numbers.push_back(*number);
               }
           }
         if (numbers.size() != n)
           refuse(numbers.empty()
                    ? "the file ends before the last entry"
-                   : std::to_string(numbers.size()) + " numbers instead of " + std::to_string(n));
+                   : std::to_string(numbers.size()) + " numbers, expected " + std::to_string(n));
         return numbers;
       }
 
@@ -104,8 +104,8 @@ namespace vfife
     Eigen::Index whole(const double number, const double least, const double most, MatrixFile &file)
     {
       if (!(number >= least && number <= most) || number != std::floor(number))
-        file.refuse(number_text(number) + " is not a whole number from " + number_text(least) +
-                    " to " + number_text(most));
+        file.refuse("expected a whole number from " + number_text(least) + " to " +
+                    number_text(most) + ", got " + number_text(number));
       return static_cast<Eigen::Index>(number);
     }
   } // namespace
@@ -120,18 +120,18 @@ namespace vfife
                        (words[4] == "general" || words[4] == "symmetric");
     if (!known)
       file.refuse(
-        "must be \"%%MatrixMarket matrix coordinate real symmetric\" (or array, general)");
+        "expected \"%%MatrixMarket matrix coordinate real symmetric\" (or array, general)");
     const bool by_place = words[2] == "coordinate", is_symmetric = words[4] == "symmetric";
 
     const std::vector<double> sizes = file.next(by_place ? 3 : 2);
     const Eigen::Index        rows  = whole(sizes[0], 1, largest_size, file),
                        columns      = whole(sizes[1], 1, largest_size, file);
     if (is_symmetric && rows != columns)
-      file.refuse("a symmetric matrix has as many columns as rows");
+      file.refuse("a symmetric matrix must have as many columns as rows");
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(rows, columns);
     const auto      set    = [&](const Eigen::Index i, const Eigen::Index j, const double value) {
       if (is_symmetric && j > i)
-        file.refuse("an entry above the diagonal of a symmetric matrix");
+        file.refuse("a symmetric matrix must not have entries above its diagonal");
       matrix(i, j) = value;
       if (is_symmetric)
         matrix(j, i) = value;
@@ -153,7 +153,7 @@ namespace vfife
         for (Eigen::Index i = is_symmetric ? j : 0; i < rows; ++i)
           set(i, j, file.next(1).front());
     if (file.has_more())
-      file.refuse("more entries than the header says");
+      file.refuse("the file has more entries than its header states");
     return matrix;
   }
 } // namespace vfife

@@ -65,9 +65,8 @@ namespace vfife
         throw InputError(prefix + "\"" + file_name_ + "\" is a folder, not a parameter file");
       std::ifstream file(file_name_);
       if (!file)
-        throw InputError(
-          prefix + "the parameter file \"" + file_name_ + "\" cannot be read" +
-          (std::filesystem::exists(file_name_, none) ? "" : ": there is no such file"));
+        throw InputError(prefix + "the parameter file \"" + file_name_ + "\" cannot be read" +
+                         (std::filesystem::exists(file_name_, none) ? "" : ": it does not exist"));
       return read(file);
     }
 
@@ -127,19 +126,18 @@ namespace vfife
       else if (word == "include")
         read_include(rest);
       else if (word == "end" && !rest.empty())
-        throw InputError(place() + ": \"end\" must stand alone, not with \"" + rest + "\"");
+        throw InputError(place() + ": expected nothing after \"end\", got \"" + rest + "\"");
       else if (word == "end")
         {
           if (section_places_.empty())
-            throw InputError(place() + ": \"end\" without a subsection that it could close");
+            throw InputError(place() + ": \"end\" has no open subsection to close");
           // A file closes what it has opened: sections of the including files stay open.
           sections_.pop_back();
           section_places_.pop_back();
         }
       else
-        throw InputError(place() + ": \"" + line +
-                         "\" begins with none of set, subsection, end, include" +
-                         did_you_mean(word, {"set", "subsection", "end", "include"}));
+        throw InputError(place() + ": expected set, subsection, end or include, got \"" + line +
+                         "\"" + did_you_mean(word, {"set", "subsection", "end", "include"}));
     }
 
     // The statement says that the section exists and where: a section without entries can
@@ -175,7 +173,7 @@ namespace vfife
       // Twice in one file is a slip; the command line and an including file may set it again.
       const auto [earlier, is_new] = line_of_entry_.insert({statement.path(), line_number_});
       if (!is_new)
-        throw InputError(place() + ": \"" + statement.path() + "\" is set already in line " +
+        throw InputError(place() + ": \"" + statement.path() + "\" is already set in line " +
                          std::to_string(earlier->second));
       statements_.push_back(statement);
     }
@@ -243,7 +241,7 @@ namespace vfife
     const std::size_t equal_sign = text.find('=');
     if (equal_sign == std::string::npos)
       throw InputError(statement.place +
-                       ": '=' is missing, it must read \"Section/Sub/name=value\"");
+                       ": expected \"Section/Sub/name=value\", but '=' is missing");
     statement.value  = trimmed(text.substr(equal_sign + 1));
     std::string path = text.substr(0, equal_sign);
     for (std::size_t slash = path.find('/'); slash != std::string::npos; slash = path.find('/'))
@@ -256,7 +254,7 @@ namespace vfife
         std::find(statement.sections.begin(), statement.sections.end(), "") !=
           statement.sections.end())
       throw InputError(statement.place +
-                       ": a name is missing, it must read \"Section/Sub/name=value\"");
+                       ": expected \"Section/Sub/name=value\", but a name is missing");
     return statement;
   }
 } // namespace vfife

@@ -53,7 +53,7 @@ namespace vfife
             std::string rest;
             cells.emplace_back(read_number(cell, rest));
             if (!rest.empty())
-              throw InputError(row.place + ": \"" + cell + "\" is no number");
+              throw InputError(row.place + ": expected a number, got \"" + cell + "\"");
           }
         table.add_row(cells);
       }

@@ -89,7 +89,7 @@ namespace vfife
       while (cells.size() > 2 && cells.back().empty())
         cells.pop_back();
       if (cells.size() != 2)
-        throw InputError("a time and a factor are needed, not " + std::to_string(cells.size()) +
+        throw InputError("expected a time and a factor, got " + std::to_string(cells.size()) +
                          " numbers");
       std::array<double, 2> numbers;
       for (unsigned int i = 0; i < 2; ++i)
@@ -97,7 +97,7 @@ namespace vfife
           std::string rest;
           numbers[i] = factors[i] * read_number(cells[i], rest);
           if (!rest.empty())
-            throw InputError("\"" + shown(cells[i]) + "\" is no number");
+            throw InputError("expected a number, got \"" + shown(cells[i]) + "\"");
         }
       return {numbers[0], numbers[1]};
     }
@@ -143,8 +143,7 @@ namespace vfife
     const std::string name = "the table \"" + path + "\"";
     std::ifstream     file(path);
     if (!file)
-      throw InputError(name + " cannot be read" +
-                       (is_there(path) ? "" : ": there is no such file"));
+      throw InputError(name + " cannot be read" + (is_there(path) ? "" : ": it does not exist"));
     TextLines                              lines(file);
     std::vector<std::pair<double, double>> rows;
     try

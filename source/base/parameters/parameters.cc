@@ -140,9 +140,9 @@ namespace vfife
       // Of "9,000, 0 N", which has a number too few.
       for (const std::string &part : parts)
         if (part.size() > 1 && part[0] == '0' && part[1] >= '0' && part[1] <= '9')
-          throw InputError("\"" + part +
-                           "\" begins with zeros: nothing divides thousands, and the decimal sign "
-                           "is a point");
+          throw InputError(
+            "\"" + part +
+            "\" begins with a zero. Write a decimal point and no separator of thousands");
       return parts;
     }
 
@@ -156,9 +156,9 @@ namespace vfife
       for (const std::string &name : split_at_commas(text))
         {
           if (name.empty())
-            throw InputError("a name is missing beside a comma");
+            throw InputError("empty name in the list");
           if (std::find(names.begin(), names.end(), name) != names.end())
-            throw InputError("the name \"" + name + "\" stands twice");
+            throw InputError("duplicate name \"" + name + "\"");
           names.push_back(name);
         }
       return names;

@@ -29,7 +29,7 @@ namespace vfife
          options::value(&line.output_folder)->value_name("DIR"),
          "write results to DIR (default: Study/output folder)") //
         ("set",
-         options::value(&line.overrides)->composing()->value_name("\"SECTION/SUB/NAME=VALUE\""),
+         options::value(&line.overrides)->composing()->value_name("SECTION/SUB/NAME=VALUE"),
          "override one parameter of the file; repeatable") //
         ("check",
          options::bool_switch(&line.check),
@@ -74,7 +74,7 @@ namespace vfife
         for (const std::string &file : files)
           if (std::error_code error; std::filesystem::path(file).extension() != ".prm" &&
                                      !std::filesystem::exists(file, error))
-            throw InputError("there is no folder \"" + file + "\" in which a run could go on");
+            throw InputError("cannot restart: folder \"" + file + "\" does not exist");
       if (files.empty() && !line.output_folder.empty())
         files.push_back(line.output_folder + "/parameters.prm");
     }
@@ -121,8 +121,8 @@ namespace vfife
     if (line.restart)
       take_folder(files, line);
     if (files.size() > 1)
-      throw InputError("one parameter file is expected, but there are " +
-                       std::to_string(files.size()) + ": " + list_of(files, true));
+      throw InputError("expected one parameter file, got " + std::to_string(files.size()) + ": " +
+                       list_of(files, true));
     if (files.empty() && !line.help && !line.version && !line.parameter_reference)
       throw InputError(std::string("no parameter file; ") + usage);
     if (!files.empty())
@@ -134,15 +134,19 @@ namespace vfife
   {
     CommandLine        line;
     std::ostringstream text;
-    text << "vfife: dynamics of gear pairs and solids by the vector form intrinsic finite element "
-            "method\n\n"
+    text << "vfife - finite element dynamics of gear pairs and solid models\n\n"
          << usage << "\n       mpirun -n N vfife FILE.prm [options]\n\n"
-         << visible_options(line)
-         << "\nexit codes: 0 success, 1 input error, 2 computation failed, 3 stopped after a "
-            "checkpoint\nsignals: SIGTERM, SIGINT, SIGUSR2 write a checkpoint and stop; SIGUSR1 "
-            "writes a field file\n\nexample: vfife prm/spiral_bevel_quick.prm -o results/slow "
-            "--set \"Operation/speed=8000 rpm\"\n"
-            "study kinds: see README.md; parameters: doc/parameter_reference.md\n";
+         << visible_options(line) << R"(
+study kinds (Study/kind in FILE.prm):
+  run, reduced, waves, static, linear static, modal, lumped, sweep, compare, flank fit, mesh,
+  tooth contact analysis, loaded tooth contact analysis, benchmark
+
+exit codes: 0 success, 1 input error, 2 computation failed, 3 stopped after a checkpoint
+signals: SIGTERM, SIGINT, SIGUSR2 write a checkpoint and stop; SIGUSR1 writes a field file
+
+example: vfife prm/spiral_bevel_quick.prm -o results/slow --set "Operation/speed=8000 rpm"
+documentation: doc/index.md
+)";
     return text.str();
   }
 

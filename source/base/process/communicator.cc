@@ -18,7 +18,7 @@ namespace vfife
     int to_count(const std::size_t n_bytes)
     {
       if (n_bytes > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-        throw NumericalError("more than 2 GB are to be sent to a rank in one message");
+        throw NumericalError("a message to one rank exceeds 2 GB");
       return static_cast<int>(n_bytes);
     }
   } // namespace
@@ -185,7 +185,7 @@ namespace vfife
         counts.push_back(static_cast<int>(length));
         total += length;
         if (total > static_cast<std::uint64_t>(std::numeric_limits<int>::max()))
-          throw NumericalError("more than 2 GB are to be gathered from all ranks");
+          throw NumericalError("the data gathered from all ranks exceed 2 GB");
       }
     reduces(n_bytes);
     std::vector<char> all(total);

@@ -98,10 +98,9 @@ namespace vfife
     std::string attempt = (folder / "vfife-XXXXXX").string();
     if (mkdtemp(attempt.data()) == nullptr)
       return {2,
-              "the folder for temporary files \"" + name + "\" cannot be written to (" +
-                std::strerror(errno) + "), and MPI needs it; " +
-                (set_by.empty() ? "name another one by TMPDIR"
-                                : set_by + " names it: name another one there")};
+              "MPI cannot write to the folder for temporary files \"" + name + "\" (" +
+                std::strerror(errno) + "). Set " + (set_by.empty() ? "TMPDIR" : set_by) +
+                " to another folder."};
     fs::remove(attempt, error);
 #endif
     return {};

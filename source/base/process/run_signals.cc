@@ -27,7 +27,7 @@ namespace vfife
     void say_and_end(const int signal)
     {
       constexpr char text[] =
-        "\nvfife: stopped before the first step or between runs: no checkpoint to go on from\n";
+        "\nvfife: stopped before the first step or between runs; no checkpoint exists\n";
       [[maybe_unused]] const auto written = write(STDERR_FILENO, text, sizeof(text) - 1);
       raise(signal);
     }

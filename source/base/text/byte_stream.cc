@@ -18,7 +18,7 @@ namespace vfife
     // Another byte than 0 and 1 would be no bool.
     char byte = value ? 1 : 0;
     pass_bytes(&byte, 1);
-    require(byte == 0 || byte == 1, "a byte that is neither yes nor no");
+    require(byte == 0 || byte == 1, "a byte is neither 0 nor 1");
     value = byte == 1;
   }
 
@@ -33,21 +33,21 @@ namespace vfife
   {
     // Asked before a vector is resized: a wrong count must not ask for all memory.
     if (n > (bytes_.size() - next_) / least)
-      throw InputError(name_ + " end too early: they are of another version of vfife");
+      throw InputError(name_ + " are truncated or were written by another version of vfife");
   }
 
   void ByteStream::require(const bool condition, const std::string &wrong) const
   {
     if (reads_ && !condition)
-      throw InputError(name_ + " are damaged, or of another version of vfife: byte " +
+      throw InputError(name_ + " are damaged or were written by another version of vfife (byte " +
                        std::to_string(next_) + " of " + std::to_string(bytes_.size()) +
-                       " comes after " + wrong);
+                       "): " + wrong);
   }
 
   void ByteStream::finish() const
   {
     if (!has_parts_)
-      return require(next_ == bytes_.size(), "the last value");
+      return require(next_ == bytes_.size(), "bytes are left after the last value");
     // Parts that nobody has asked for may be left over, but nothing else.
     std::string bytes;
     find_part("", bytes);
@@ -76,12 +76,12 @@ namespace vfife
   void ByteStream::refuse_without(const std::string &name) const
   {
     throw InputError(name_ + " have no part \"" + name +
-                     "\": they are of another version of vfife");
+                     "\": they were written by another version of vfife");
   }
 
   void ByteStream::refuse_newer() const
   {
-    throw InputError(name_ + " are of a newer version of vfife than this one");
+    throw InputError(name_ + " were written by a newer version of vfife than this one");
   }
 
   void ByteStream::pass_bytes(void *value, const std::size_t n)

@@ -76,9 +76,8 @@ namespace vfife
           throw InputError(name + " has two columns \"" + shown(text.headings.back().name) + "\"");
       }
     if (are_numbers)
-      throw InputError(
-        name + ", line 1: headings \"name [unit]\" of the columns are expected, and numbers "
-               "stand there. Put a line of headings before them");
+      throw InputError(name + ", line 1: expected headings \"name [unit]\" of the columns, got "
+                              "numbers. Put a line of headings before them");
     while (next_line(lines, name, line))
       {
         // An empty line at the end is no row of one empty cell.
@@ -86,8 +85,8 @@ namespace vfife
           continue;
         CsvText::Row row{name + ", line " + std::to_string(lines.number()), split(line)};
         if (row.cells.size() != text.headings.size())
-          throw InputError(row.place + " has " + std::to_string(row.cells.size()) +
-                           " cells; the header has " + std::to_string(text.headings.size()));
+          throw InputError(row.place + ": expected " + std::to_string(text.headings.size()) +
+                           " cells as in the header, got " + std::to_string(row.cells.size()));
         text.rows.push_back(std::move(row));
       }
     return text;

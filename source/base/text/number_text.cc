@@ -60,7 +60,7 @@ namespace vfife
                        "\" is too large or too small for double precision");
     if (result.ec != std::errc() || !std::isfinite(value))
       throw InputError(number.empty() ? "a number is missing"
-                                      : "\"" + number + "\" does not begin with a number");
+                                      : "expected a number, got \"" + number + "\"");
 
     rest = trimmed(std::string(result.ptr, end));
     return value;

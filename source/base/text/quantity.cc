@@ -169,7 +169,7 @@ namespace vfife
 
     // "1 rpm, 2 rpm"; the name of no unit has a comma.
     if (name.find_first_of(",;") != std::string::npos)
-      throw InputError("must be one value; lists are for the sections Parameter of a sweep");
+      throw InputError("expected one value, got a list. Use a sweep for several values");
 
     // A known unit of the right dimension; else the message says whether the unit is another one's
     // or not known at all.

@@ -61,7 +61,7 @@ namespace vfife
             char byte[8];
             std::snprintf(byte, sizeof(byte), "0x%02X", static_cast<unsigned char>(text[i]));
             return "byte " + std::string(byte) + " in column " + std::to_string(i + 1) +
-                   (size == 0 ? " is no text in UTF-8" : " is a control character");
+                   (size == 0 ? " is not UTF-8 text" : " is a control character");
           }
         i += size;
       }

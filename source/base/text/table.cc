@@ -121,8 +121,7 @@ namespace vfife
     stream.pass_required_part("columns", [&](ByteStream &part) { part.pass(stored, n_rows_); });
     for (const std::string &name : stored)
       if (std::find(known.begin(), known.end(), name) == known.end())
-        throw InputError("stored rows have a column " + name + ", which is not one of " +
-                         csv_header());
+        throw InputError("unexpected column " + name + " in stored rows; expected " + csv_header());
     // 2. Cells. A column that is younger than the rows has none for them.
     for (std::size_t i = 0; i < columns_.size(); ++i)
       {

@@ -12,8 +12,7 @@ namespace vfife
     std::string  rest;
     const double number = read_number(text, rest);
     if (!rest.empty() || number < 0. || number >= teeth || number != std::floor(number))
-      throw InputError("there is no tooth " + text + "; teeth are 0 to " +
-                       std::to_string(teeth - 1));
+      throw InputError("expected a tooth from 0 to " + std::to_string(teeth - 1) + ", got " + text);
     return static_cast<unsigned int>(number);
   }
 } // namespace vfife

@@ -169,8 +169,8 @@ namespace vfife
             if (result.gaps[i] < least && (i == worst || result.iterations < first_single_set))
               carries[i] = true;
         }
-      throw NumericalError("the pressures of a contact's own grid are not found: " +
-                           std::to_string(most_sets) + " sets of cells that carry were tried");
+      throw NumericalError("the pressures on the contact's own grid did not converge in " +
+                           std::to_string(most_sets) + " sets of loaded cells");
     }
   } // namespace
 
@@ -209,7 +209,7 @@ namespace vfife
             return result;
           }
         if (result.iterations == most_gradients_of_many)
-          throw NumericalError("the pressures of a contact's own grid are not found in " +
+          throw NumericalError("the pressures on the contact's own grid did not converge in " +
                                std::to_string(most_gradients_of_many) + " iterations");
         if (result.iterations == most_gradients && n <= most_cells)
           {

@@ -137,8 +137,8 @@ namespace vfife
     };
     if (points_per_facet.number < 1 || points_per_facet.number > most_points)
       throw InputError(entry("points per facet"),
-                       "1 to " + std::to_string(most_points) +
-                         " points per direction are possible");
+                       "expected 1 to " + std::to_string(most_points) +
+                         " points per direction, got " + std::to_string(points_per_facet.number));
     penalty.check(section);
     if (!(damping_ratio >= 0. && damping_ratio <= 1.))
       throw InputError(entry("damping ratio"), "the damping ratio must lie between 0 and 1");
@@ -149,8 +149,7 @@ namespace vfife
       throw InputError(entry("edge relief depth"),
                        "depth and width of the edge relief must not be negative");
     if (edge_relief_depth > steepest_edge_relief * edge_relief_width)
-      throw InputError(entry("edge relief depth"),
-                       "the relief may be at most a tenth of its width (edge relief width) deep");
+      throw InputError(entry("edge relief depth"), "must be at most a tenth of edge relief width");
     if (!(search_skin >= 0.))
       throw InputError(entry("search skin"), "the skin must not be negative");
     if (!(depth_limit >= 0.))

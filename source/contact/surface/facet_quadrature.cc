@@ -51,7 +51,7 @@ namespace vfife
   std::vector<double> gauss_lobatto_points(const unsigned int n)
   {
     if (n < 2)
-      throw InputError("Gauss-Lobatto points start with two");
+      throw InputError("Gauss-Lobatto rules require at least two points");
     std::vector<double> points(n);
     for (unsigned int i = 0; i < n; ++i)
       {

@@ -61,7 +61,7 @@ namespace vfife
   {
     const std::string name = "surface \"" + surface.name + "\": ";
     if (facets_.empty())
-      throw InputError(name + "there are no facets");
+      throw InputError(name + "expected facets, got none");
     if (surface.neighbours.size() != facets_.size())
       throw InputError(name + "the facets' neighbours are missing (find_neighbours)");
     if (!surface.group.empty() && surface.group.size() != facets_.size())
@@ -73,10 +73,10 @@ namespace vfife
     for (const auto &facet : facets_)
       for (const unsigned int n : facet)
         if (n >= reference_.size())
-          throw InputError(name + "a facet names a node that does not exist");
+          throw InputError(name + "a facet refers to a node that does not exist");
     for (const unsigned int g : surface.group)
       if (g >= surface.n_groups)
-        throw InputError(name + "a facet names a group that does not exist");
+        throw InputError(name + "a facet refers to a group that does not exist");
   }
 
 
@@ -212,7 +212,8 @@ namespace vfife
         normal_corrections_[n] = surface.normals[n].normalized() - sum.normalized();
         if (normal_corrections_[n].norm() > 1.)
           throw InputError("surface \"" + surface.name + "\": the normal of surface node " +
-                           std::to_string(n) + " is more than 60 degrees off the facets around it");
+                           std::to_string(n) +
+                           " differs by more than 60 degrees from the facets around it");
       }
   }
 

@@ -2,6 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/dynamics/equilibrium/relaxation.h>
 #include <vfife/dynamics/equilibrium/standing_pattern.h>
 #include <vfife/model/constraints/supports.h>
@@ -410,6 +411,7 @@ namespace vfife
   std::string RelaxationReport::describe() const
   {
     std::ostringstream text;
+    set_figure_digits(text, 4);
     text << steps << " relaxation steps, residual " << residual
          << (at_round_off ? " (round-off)" : "");
     return text.str();

@@ -350,11 +350,11 @@ namespace vfife
       {
         const std::size_t n = next < numbers.size() ? numbers[next++] : 0;
         stream.require(n > 0 && n <= communicator_.size() && n <= numbers.size() - next,
-                       "contact that nobody works on");
+                       "a contact has no rank");
         of_clusters[clusters_[e]].assign(numbers.begin() + next, numbers.begin() + next + n);
         next += n;
         for (const std::uint32_t rank : of_clusters[clusters_[e]])
-          stream.require(rank < communicator_.size(), "a rank that is not there");
+          stream.require(rank < communicator_.size(), "a rank does not exist");
       }
     set_ranks(std::move(of_clusters));
   }

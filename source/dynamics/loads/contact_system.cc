@@ -157,7 +157,7 @@ namespace vfife
           anchors = gather_anchors(contact);
         stream.pass_records(anchors);
         for (const AnchorOfPoint &anchor : anchors)
-          stream.require(contact.has_place(anchor), "friction at a place that is not there");
+          stream.require(contact.has_place(anchor), "a place of friction does not exist");
         if (stream.reads())
           contact.restore_anchors(anchors);
       }

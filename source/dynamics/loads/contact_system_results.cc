@@ -155,6 +155,7 @@ namespace vfife
     // The deepest of this rank in words, relative to the limit of its pair ...
     double             deepest = 0; // over the limit
     std::ostringstream text;
+    set_figure_digits(text, 4);
     for (const auto &pair : pairs_)
       for (const ContactPoint &point : pair->contact.points())
         {
@@ -200,8 +201,9 @@ namespace vfife
         text << "contact " << pair->definition.side << ": facets of the slave \""
              << model_.bodies[pair->slave.body].name() << "\" are " << contact.coarseness()
              << " times as wide as those of the master \""
-             << model_.bodies[pair->master.body].name() << "\", where a node may carry " << most
-             << " times its own area: the finer surface should be the slave";
+             << model_.bodies[pair->master.body].name()
+             << "\", where the contact area of a node is up to " << most
+             << " times its own. Make the finer surface the slave";
         sentences.push_back(text.str());
       }
     return sentences;
@@ -217,10 +219,9 @@ namespace vfife
           continue;
         std::ostringstream text;
         set_figure_digits(text, 3);
-        text << "contact " << pair->definition.side
-             << ": where surfaces hit each other, springs of " << pair->contact.penalty()
-             << " N/mm^3 go on rattling at the step of " << 1e9 * dt << " ns; below "
-             << pair->contact.penalty() / rattling << " N/mm^3 they do not";
+        text << "contact " << pair->definition.side << ": after impacts a penalty of "
+             << pair->contact.penalty() << " N/mm^3 oscillates at the step of " << 1e9 * dt
+             << " ns. Choose a penalty below " << pair->contact.penalty() / rattling << " N/mm^3";
         sentences.push_back(text.str());
       }
     return sentences;

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/contact/law/facet_penalty.h>
 #include <vfife/contact/law/hertz.h>
 #include <vfife/contact/surface/facet_integrals.h>
@@ -98,8 +99,8 @@ namespace vfife
             }
         if (!std::isfinite(wall.mass_per_area))
           throw InputError("contact \"" + definition.name +
-                           "\": its nodes carry no face of body \"" + body.name() +
-                           "\" that a wall could press on");
+                           "\": the nodes contain no face of body \"" + body.name() +
+                           "\". Select all nodes of the faces on which the wall acts");
         for (std::size_t i = 0; i < springs.areas.size(); ++i)
           {
             const unsigned int  node  = definition.nodes[i];
@@ -168,6 +169,7 @@ namespace vfife
     for (const Wall &wall : walls_)
       {
         std::ostringstream text;
+        set_figure_digits(text, 4);
         text << "contact penalty of the wall \"" << wall.definition->name << "\" " << wall.penalty
              << " N/mm^3" << (wall.options().is_open() ? " at its narrowest facets" : "");
         sentences.push_back(text.str());
@@ -345,6 +347,7 @@ namespace vfife
     // The deepest of this rank in words, relative to its limit, which a soft wall does not have ...
     double             deepest = 0;
     std::ostringstream text;
+    set_figure_digits(text, 4);
     for (const Wall &wall : walls_)
       for (const Touch &touch : wall.touches)
         {

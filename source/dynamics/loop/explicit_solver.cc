@@ -147,7 +147,7 @@ namespace vfife
     const std::uint64_t last_step =
       beginning_->step + std::llround((end_time - beginning_->time) / state.dt);
     if (state.step > last_step)
-      throw InputError("the run has come to step " + std::to_string(state.step) +
+      throw InputError("the run is at step " + std::to_string(state.step) +
                        " and cannot end at step " + std::to_string(last_step));
 
     std::exception_ptr failure;

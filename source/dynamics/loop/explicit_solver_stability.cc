@@ -40,7 +40,7 @@ namespace vfife
                            : 0;
     if (stability_watch_.exceeds(alternating_share_, alternating_energy_, 1.))
       throw NumericalError(
-        "the step is too long: a motion that alternates from step to step grows " +
-        describe_instant(state) + "; a smaller Dynamics/safety may help");
+        "time step unstable " + describe_instant(state) +
+        ": a motion that alternates from step to step grows. Reduce Dynamics/safety");
   }
 } // namespace vfife

@@ -37,7 +37,7 @@ namespace vfife
       const auto is_finite = [](const double number) { return std::isfinite(number); };
       if (stream.reads())
         stream.require(std::all_of(all.begin(), all.end(), is_finite),
-                       "a coordinate or velocity that is no number");
+                       "a coordinate or velocity is not finite");
       if (stream.reads())
         for (const std::uint32_t i : partition.nodes())
           field.set(i, place(i));
@@ -49,7 +49,7 @@ namespace vfife
                      const State        &state)
     {
       stream.require(std::isfinite(state.dt) && state.dt > 0 && state.step >= first_step,
-                     "a step that is none");
+                     "the time step is not valid");
       const double steps = static_cast<double>(state.step - first_step);
       stream.require(std::abs(state.time - first_time - steps * state.dt) <=
                        1e-9 * (std::abs(state.time) + state.dt),
@@ -285,7 +285,7 @@ namespace vfife
     common.pass_part("substeps", [&](ByteStream &part) {
       part.pass(n_substeps);
       part.require(n_substeps > 0 && n_substeps <= 1024,
-                   std::to_string(n_substeps) + " steps in the place of one");
+                   std::to_string(n_substeps) + " substeps, expected 1 to 1024");
     });
     // What this rank knows of the pairs that may touch.
     if (own != nullptr)

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/process/log.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/dynamics/operator/congruence.h>
 #include <vfife/dynamics/operator/mass_scaling.h>
@@ -72,6 +73,7 @@ namespace vfife
         if (share > options.largest_added_mass)
           {
             std::ostringstream text;
+            set_figure_digits(text, 4);
             text << "body \"" << body.name() << "\" would gain " << 100 * share
                  << " % of its mass, in " << gain.n_elements << " of its " << body.n_elements()
                  << " elements; allowed are " << 100 * options.largest_added_mass

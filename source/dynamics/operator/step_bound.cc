@@ -200,13 +200,13 @@ namespace vfife
       return worst;
     const AssembledFrequency assembled = bound_largest_frequency(model, vfife, communicator);
     const double             step      = 2. / assembled.frequency;
-    log.line("stable step of the assembly ",
+    log.line("the stable step of the assembly is ",
              1e9 * step,
              " ns, ",
              step / worst,
-             " of that of the worst element, after ",
+             " times the stable step of the worst element (",
              assembled.iterations,
-             " steps of Lanczos' method");
+             " Lanczos iterations)");
     return step;
   }
 } // namespace vfife

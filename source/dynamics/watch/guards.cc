@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/dynamics/loads/contact_system.h>
 #include <vfife/dynamics/loads/rigid_walls.h>
 #include <vfife/dynamics/operator/vfife_operator.h>
@@ -64,8 +65,9 @@ namespace vfife
     std::string describe(const Model &model, const Distortion &worst)
     {
       std::ostringstream text;
+      set_figure_digits(text, 4);
       text << "body \"" << model.bodies[worst.body].name() << "\", element " << worst.element
-           << ", least Jacobian " << worst.least_jacobian << " of the undeformed one";
+           << ", least Jacobian " << worst.least_jacobian << " times the undeformed one";
       return text.str();
     }
 
@@ -75,6 +77,7 @@ namespace vfife
     describe_broken_element(const Model &model, const State &last_measured, const State &now)
     {
       std::ostringstream text;
+      set_figure_digits(text, 4);
       for (unsigned int b = 0; b < model.bodies.size(); ++b)
         {
           const Body &body = model.bodies[b];
@@ -110,9 +113,9 @@ namespace vfife
     for (const BodySums &body : sums)
       kinetic += body.update.kinetic;
     if (!std::isfinite(kinetic))
-      throw NumericalError("the motion is no longer finite " + describe_instant(now) + ": " +
+      throw NumericalError("NaN or infinite displacement " + describe_instant(now) + ": " +
                            describe_broken_element(model, last_measured, now) +
-                           "; a smaller Dynamics/safety or a softer contact may help");
+                           ". Reduce Dynamics/safety or the contact penalty");
   }
 
   void check_penetration(const Model         &model,
@@ -122,10 +125,10 @@ namespace vfife
   {
     // All ranks know: the flags have travelled with the reductions of contact and walls.
     if (contact.is_too_deep())
-      throw NumericalError("runaway penetration " + describe_instant(now) + ": " +
+      throw NumericalError("penetration exceeds the limit " + describe_instant(now) + ": " +
                            contact.describe_deepest_point());
     if (walls.is_too_deep())
-      throw NumericalError("runaway penetration " + describe_instant(now) + ": " +
+      throw NumericalError("penetration exceeds the limit " + describe_instant(now) + ": " +
                            walls.describe_deepest_node(model));
   }
 

@@ -105,13 +105,15 @@ namespace vfife
       else if (std::string(wanted) == name_of(instruction_set))
         {
           if (!is_available(instruction_set))
-            throw InputError("The environment variable VFIFE_INSTRUCTION_SET asks for " +
-                             std::string(wanted) + ", which this processor does not have.");
+            throw InputError("The environment variable VFIFE_INSTRUCTION_SET: expected an "
+                             "instruction set of this processor, got " +
+                             std::string(wanted) + ".");
           return instruction_set;
         }
     if (wanted != nullptr && *wanted != '\0')
-      throw InputError("The environment variable VFIFE_INSTRUCTION_SET is '" + std::string(wanted) +
-                       "', but must be generic, sse2, avx2 or avx512.");
+      throw InputError("The environment variable VFIFE_INSTRUCTION_SET: expected generic, sse2, "
+                       "avx2 or avx512, got '" +
+                       std::string(wanted) + "'.");
     return InstructionSet::generic;
   }
 
@@ -119,8 +121,8 @@ namespace vfife
   const ElementKernels &select_kernels(const FrameKind frame, const InstructionSet instruction_set)
   {
     if (!is_available(instruction_set))
-      throw InputError("There are no element kernels for the instruction set " +
-                       std::string(name_of(instruction_set)) + " on this processor.");
+      throw InputError("This processor does not have the instruction set " +
+                       std::string(name_of(instruction_set)) + " of the element kernels.");
     return kernels_of(instruction_set)[static_cast<unsigned int>(frame)];
   }
 } // namespace vfife

@@ -28,8 +28,8 @@ namespace vfife
       for (const Load &load : model.loads)
         if (load.body == b)
           throw InputError("body \"" + model.bodies[b].name() + "\": load \"" + load.name +
-                           "\" acts on it, and harmonics of one sector know what holds all sectors "
-                           "alike only");
+                           "\" acts on it, but harmonics of one sector support only supports that "
+                           "are equal in all sectors");
       return model;
     }
 
@@ -50,8 +50,8 @@ namespace vfife
           if ((held(body.structure().copy(node, 1)) - turn * held(node) * turn.transpose()).norm() >
               1e-6)
             throw InputError("body \"" + body.name() + "\": " + what +
-                             " does not hold all sectors alike: the directions it holds do not "
-                             "turn from one to the next");
+                             " does not hold all sectors equally: its directions do not rotate "
+                             "from sector to sector");
         }
     }
 
@@ -66,10 +66,9 @@ namespace vfife
         return false;
       if (motions.size() > 1 || !(has_turning_hub(model, b) || model.bodies[b].floats) ||
           !is_turn(whole, whole.parts()[0], motions.front()))
-        throw InputError(
-          "body \"" + model.bodies[b].name() +
-          "\" can move rigidly otherwise than by turning on its hub or in its bearings, "
-          "so forces on it have no static answer; hold more of its nodes");
+        throw InputError("body \"" + model.bodies[b].name() +
+                         "\" has rigid motions other than the rotation on its hub or in its "
+                         "bearings, so that it has no static equilibrium. Hold more of its nodes");
       return true;
     }
   } // namespace
@@ -159,7 +158,7 @@ namespace vfife
         {
           if (has_one)
             throw InputError("body \"" + body().name() + "\": torque \"" + torque.name +
-                             "\" is its second one, and harmonics of one sector know one only");
+                             "\" is its second torque, but harmonics of one sector support one");
           has_one = true;
           require_all_copies(body(), torque.nodes, "torque \"" + torque.name + "\"");
           add_torque_forces(torque, sector(), sector().parts()[0], 1., torque_);

@@ -168,9 +168,9 @@ namespace vfife
                 std::move(found.vectors),
                 scale() * Eigen::MatrixXcd::Identity(n_below, n_below)};
       }
-    throw NumericalError("body \"" + body_.body().name() + "\": the modes found with " +
+    throw NumericalError("body \"" + body_.body().name() + "\": the number of modes with " +
                          std::to_string(number_) +
-                         " nodal diameters are not as many as a factorization counts");
+                         " nodal diameters differs from the count of a factorization");
   }
 
   CyclicModes CyclicHarmonic::make_complex(const std::vector<OwnedVector> &vectors) const
@@ -216,7 +216,8 @@ namespace vfife
         modes.vectors.push_back(add_scaled(std::move(vectors[k]), -part / inertia, turn));
       }
     if (!(std::abs(of_turn - 1.) < 1e-6))
-      throw NumericalError("body \"" + body_.body().name() + "\": its turn is none of its modes");
+      throw NumericalError("body \"" + body_.body().name() +
+                           "\": the rigid rotation is not among the modes");
     const int n       = modes.vectors.size();
     modes.combination = scale() * Eigen::MatrixXcd::Identity(n, n);
     return modes;

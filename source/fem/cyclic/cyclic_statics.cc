@@ -41,7 +41,7 @@ namespace vfife
         {
           if (hub != nullptr || !body_.turns())
             throw InputError("body \"" + body_.body().name() + "\": constraint \"" +
-                             constraint.name + "\" is not all that decides on its turn");
+                             constraint.name + "\" is not the only constraint of its rotation");
           hub = &constraint;
         }
     // The angle of a rigid hub is no unknown. Points that turn by themselves leave the turn of
@@ -97,7 +97,7 @@ namespace vfife
     // The matrix of the whole body has as many negative eigenvalues as its parts.
     if (communicator_.any(unstable))
       throw NumericalError("body \"" + body_.body().name() +
-                           "\" has no stable state of spin: the speed is too high");
+                           "\": no stable equilibrium (the speed is too high)");
   }
 
   Eigen::MatrixXcd CyclicStatics::harmonic_matrix(const unsigned int number) const

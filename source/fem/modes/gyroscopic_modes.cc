@@ -106,7 +106,7 @@ namespace vfife
               continue;
             if (value.real() > 1e-6 * std::abs(value) + round_off)
               throw NumericalError(
-                "with Coriolis forces a motion of the body grows: it is not stable at this speed");
+                "the body is not stable at this speed: with Coriolis forces a motion grows");
             waves.push_back({std::abs(value), std::move(shape)});
           }
         std::sort(waves.begin(), waves.end(), [](const SmallWave &a, const SmallWave &b) {

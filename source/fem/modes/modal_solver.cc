@@ -78,7 +78,7 @@ namespace vfife
       return;
     std::ostringstream text;
     text << "the mode at " << frequency << " Hz has the residual " << residual
-         << ": the eigenvalue solver has failed (Fem/eigenvalue tolerance: a smaller one may help)";
+         << ": the eigenvalue solver did not converge. Reduce Fem/eigenvalue tolerance";
     throw NumericalError(text.str());
   }
 
@@ -180,8 +180,8 @@ namespace vfife
         // Missed modes: a larger space finds them, or their further copies.
         n_wanted += count.n_negative() > below ? count.n_negative() - below + n_guards : n_guards;
       }
-    throw NumericalError("the modes found are not complete: a factorization counts another number "
-                         "below the highest one, also after searching again");
+    throw NumericalError("the modes are not complete: a factorization counts another number of "
+                         "modes below the highest one, also after a second search");
   }
 
   ModalSolver::Found

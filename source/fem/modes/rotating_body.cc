@@ -132,8 +132,8 @@ namespace vfife
       if (model.bodies[body].floats && rate != 0 && !options.coriolis)
         throw InputError("Fem/coriolis",
                          "body \"" + model.bodies[body].name() +
-                           "\" turns in elastic bearings, and its whirl without Coriolis forces is "
-                           "none: set coriolis = yes");
+                           "\" rotates in elastic bearings, where whirl requires Coriolis forces. "
+                           "Set coriolis = yes");
   }
 
   RotatingBody::~RotatingBody() = default;
@@ -159,8 +159,8 @@ namespace vfife
     options.rotation = options_.hold_hubs ? HubRotation::held : HubRotation::pinned;
     const FemSystem      system(space_, options, communicator_);
     const SystemMatrices matrices(system, options_.mass, options_.strain);
-    const std::string    name = "body \"" + model_.bodies[body_].name() + "\" at " +
-                             std::to_string(rate * 30. / pi) + " rpm has";
+    const std::string    name =
+      "body \"" + model_.bodies[body_].name() + "\" at " + std::to_string(rate * 30. / pi) + " rpm";
     const unsigned int n_free = count_free_motions();
     // A shaft that turns freely in its bearings is pinned at a ring, which carries nothing.
     std::vector<unsigned int> pinned;
@@ -184,11 +184,11 @@ namespace vfife
                              // balanced, spin does no work on them.
                              const bool floats = model_.bodies[body_].floats;
                              if ((solver->n_negative() > n_free && !floats) || solver->n_zero() > 0)
-                               throw NumericalError(name + " no stable state of spin: the speed" +
+                               throw NumericalError(name + ": no stable equilibrium (the speed" +
                                                     (model_.bodies[body_].has_initial_strains()
                                                        ? " or the temperature"
                                                        : "") +
-                                                    " is too high");
+                                                    " is too high)");
                              return [solver](OwnedVector &q) { solver->solve(q.data(), 1); };
                            })
       .displacements;

@@ -201,8 +201,8 @@ namespace vfife
         {
           const std::complex<double> value = solver.eigenvalues()[k];
           if (value.real() > 1e-6 * std::abs(value))
-            throw NumericalError("a coupled motion that stands in space grows: the pair is not "
-                                 "stable at this speed");
+            throw NumericalError("the pair is not stable at this speed: a coupled motion in the "
+                                 "stationary frame grows");
           if (value.imag() > 0)
             order.emplace_back(value.imag(), k);
         }
@@ -245,8 +245,8 @@ namespace vfife
     FemOptions      options = fem_options;
     if (centrifugal && degree_of(options.element) > 1)
       throw InputError("Fem/element",
-                       "coupled modes of a spinning pair stand in space, which is computed for "
-                       "elements of eight nodes only; take incompatible modes or centrifugal = no");
+                       "coupled modes of a rotating pair require elements of eight nodes. Use "
+                       "incompatible modes or centrifugal = no");
     options.eigen_solver = EigenSolverKind::shift_invert;
     options.n_modes      = n_basis(n);
     const FemSystem    system(d, FemConstraints::Options(), communicator, make_links(ties));

@@ -32,9 +32,9 @@ namespace vfife
   {
     const unsigned int driven = model.transmission->driven;
     if (!compliance.turns_freely(driven))
-      throw InputError("body \"" + model.bodies[driven].name() +
-                       "\" is driven and carries a torque, but something holds its turn about its "
-                       "axis");
+      throw InputError(
+        "body \"" + model.bodies[driven].name() +
+        "\" is driven by a torque, but a constraint holds its rotation about its axis");
 
     // The nodes that may touch at any position asked for: only at them displacements by unit
     // forces are kept.
@@ -129,7 +129,7 @@ namespace vfife
         if (found || !bodies_->has_bearings())
           return now;
       }
-    pair_.fail("the unloaded bearings find no equilibrium", "");
+    pair_.fail("the equilibrium of the unloaded bearings did not converge", "");
   }
 
   PairEquilibriumResult PairEquilibrium::solve(const double driver_turn, const double load_factor)

@@ -35,7 +35,7 @@ namespace vfife
     , rotations_(model.bodies.size(), Matrix3::Identity())
   {
     if (!model.transmission || model.contacts.empty())
-      throw InputError("the equilibrium of a loaded pair needs a gear pair with contact");
+      throw InputError("the equilibrium of a loaded pair requires a gear pair with contact");
     for (const ContactPair &pair : model.contacts)
       pairs_.push_back(std::make_unique<Pair>(pair, model));
   }
@@ -278,10 +278,9 @@ namespace vfife
           return turn;
         turn += sense * gap / model_.transmission->arm;
       }
-    fail(
-      "the flanks do not touch within reach: mounting errors keep them apart, or the torque turns "
-      "them past each other",
-      "");
+    fail("the flanks are not in contact within the search range: mounting errors separate them, or "
+         "the torque rotates them past each other",
+         "");
   }
 
   PressedState PressedPair::press_rigid(const PressedBodies   &bodies,
@@ -305,7 +304,7 @@ namespace vfife
         if (-sense * guess.acting.contact_torque >= std::abs(load))
           return guess;
       }
-    fail("the undeformed flanks cannot carry the torque", "");
+    fail("the undeformed flanks cannot transmit the torque", "");
   }
 
   std::vector<ToothContact> PressedPair::teeth() const
@@ -385,9 +384,9 @@ namespace vfife
     if (apart <= limit)
       return "";
     std::ostringstream text;
-    text << "bearings let the flanks move by " << apart
-         << " mm against each other, farther than contact is looked for (" << limit
-         << " mm, Contact/depth limit); stiffer bearings or a smaller torque";
+    text << "bearings displace the flanks by " << apart
+         << " mm relative to each other, more than the search range of contact (" << limit
+         << " mm, Contact/depth limit). Use stiffer bearings or a smaller torque";
     return text.str();
   }
 } // namespace vfife

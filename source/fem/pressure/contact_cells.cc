@@ -181,7 +181,7 @@ namespace vfife
   {
     std::vector<ContactCell> samples = sample(surfaces);
     if (samples.empty())
-      throw NumericalError("two surfaces that press each other do not face each other");
+      throw NumericalError("two surfaces in contact do not face each other");
     std::sort(samples.begin(), samples.end(), [](const ContactCell &a, const ContactCell &b) {
       return a.gap < b.gap;
     });

@@ -60,7 +60,7 @@ namespace vfife
   void GridOfContact::take(const std::size_t n)
   {
     if (n > most_cells)
-      throw NumericalError("the contact's own grid needs more than " + std::to_string(most_cells) +
+      throw NumericalError("the contact's own grid exceeds " + std::to_string(most_cells) +
                            " cells");
     n_taken = std::min(n, cells.size());
     std::vector<std::array<int, 2>> places;

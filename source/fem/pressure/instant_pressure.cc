@@ -141,7 +141,7 @@ namespace vfife
                                    flanks_.make_flank(1, master_group, copied, places_)}}};
     const ContactLoad load = make_load({{slave_group, master_group}}, contact.flanks, normal_force);
     if (!(load.load > 0.))
-      throw NumericalError("the teeth do not press each other");
+      throw NumericalError("the teeth are not in contact");
     GridPressure grid = find_grid_pressures({contact}, load, cells_across_).front();
     // Its arms were those of an approach along the resultant.
     grid.force  = grid.moment;

@@ -96,7 +96,7 @@ namespace vfife
                 throw InputError("the layers of elements under a surface in contact have the "
                                  "materials \"" +
                                  found->name + "\" and \"" + here.name +
-                                 "\"; the pressure on its own grid needs one");
+                                 "\". The pressure on its own grid requires one material");
               found = &here;
             }
         return *found;
@@ -230,10 +230,10 @@ namespace vfife
     // A point of the surface that is held itself has no flexibility of its own.
     for (const unsigned int point : surface)
       if (states.empty() || states[point - part.first_point] != 1)
-        throw InputError("body \"" + space.model().bodies[part.body].name() +
-                         "\": no layer of elements under the surface in contact leads to others "
-                         "that would hold it; the pressure on its own grid needs two elements "
-                         "across a tooth");
+        throw InputError(
+          "body \"" + space.model().bodies[part.body].name() +
+          "\": no layer of elements under the surface in contact adjoins other elements. The "
+          "pressure on its own grid requires two elements across a tooth");
     std::vector<unsigned int> numbers, of_surface;
     LayerElements             by_itself = elements.make_elements(states, numbers);
     const auto                number_of = [&](const unsigned int point) {

@@ -263,7 +263,7 @@ namespace vfife
   PointPenalties PenaltyCalibration::find()
   {
     if (touches_.empty())
-      throw NumericalError("no tooth pair carries a load by which its penalty could be found");
+      throw NumericalError("no tooth pair is loaded, so that its penalty cannot be found");
     // The points have one field, each touch asks for a factor of it: a few rounds agree.
     const double lowest  = std::log(penalty_ * least_factor),
                  highest = std::log(penalty_ * largest_factor);

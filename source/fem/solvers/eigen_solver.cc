@@ -126,7 +126,7 @@ namespace vfife
                                                                               (A + A.transpose()),
                                                                             Mx.products(x));
       if (small.info() != Eigen::Success)
-        throw NumericalError("the eigenvalue solver found modes that depend on each other");
+        throw NumericalError("the eigenvalue solver found linearly dependent modes");
       Eigen::MatrixXd       copy;
       const Eigen::MatrixXd ritz = x.matrix(copy) * small.eigenvectors();
       for (std::size_t k = 0; k < x.n(); ++k)

@@ -12,7 +12,7 @@ namespace vfife
       std::string text = "the direct solver failed (MUMPS INFOG(1) = " + std::to_string(error) +
                          ", INFOG(2) = " + std::to_string(detail) + ")";
       if (error == -13)
-        text += ": there is not enough memory for the factors";
+        text += ": not enough memory for the factors";
       else if (error == -10)
         text += ": the matrix is singular";
       return text;

@@ -102,7 +102,7 @@ namespace vfife
         return;
       }
     // The factors that are left are those of the state of spin.
-    spun_ = find_spin_state(matrices, rate, true, 0., "the bodies have", [&](const FemMatrix &K) {
+    spun_ = find_spin_state(matrices, rate, true, 0., "the bodies", [&](const FemMatrix &K) {
               standing_ = find_standing_motions(matrices, K, rate);
               // Shifts and tilts may be faster than their bearings allow.
               factorize(K, 4 * standing_.size());
@@ -124,10 +124,10 @@ namespace vfife
         if (motions.empty())
           continue;
         if (motions.size() > 1 || !(hub || bearing) || !is_turn(space_, part, motions.front()))
-          throw InputError("body \"" + model_.bodies[part.body].name() +
-                           "\" can move rigidly otherwise than by turning on its hub or, driven, "
-                           "in its bearings, so it has no static equilibrium; hold more of its "
-                           "nodes, or couple the driver");
+          throw InputError(
+            "body \"" + model_.bodies[part.body].name() +
+            "\" has rigid motions other than the rotation on its hub or, driven, in its bearings, "
+            "so that it has no static equilibrium. Hold more of its nodes, or couple the driver");
         turning_.push_back(part.body);
         if (!hub)
           pinned_.push_back(part.body);
@@ -145,7 +145,7 @@ namespace vfife
     solver_.reset(); // its memory first
     solver_ = std::make_unique<DirectSolver>(K);
     if (solver_->n_negative() > n_whirls || solver_->n_zero() > 0)
-      throw NumericalError("the bodies have no stable state of spin: the speed is too high");
+      throw NumericalError("the bodies have no stable equilibrium: the speed is too high");
   }
 
   double Compliance::memory() const

@@ -62,8 +62,8 @@ namespace vfife
         if (n > allowed)
           throw InputError("body \"" + model.bodies[part.body].name() +
                            "\": " + std::to_string(n - allowed) +
-                           " of its 6 rigid motions are not held by any constraint, so it has no "
-                           "static equilibrium; hold more of its nodes");
+                           " of its 6 rigid motions are not held by any constraint, so that it has "
+                           "no static equilibrium. Hold more of its nodes");
       }
   }
 
@@ -219,7 +219,7 @@ namespace vfife
       if (!std::isfinite(work))
         throw NumericalError("the static solution is not finite");
       if (!stable || !(work > 0))
-        throw NumericalError("the bodies have no stable equilibrium: a speed is too high");
+        throw NumericalError("the bodies have no stable equilibrium (a speed is too high)");
     };
   }
 
@@ -242,8 +242,7 @@ namespace vfife
       return prepare(matrices, std::move(K), result.n_iterations);
     };
     if (loads.centrifugal && loads.stress_stiffness)
-      state =
-        find_spin_state(matrices, rate, loads.spin_softening, 0., "the bodies have", prepared);
+      state = find_spin_state(matrices, rate, loads.spin_softening, 0., "the bodies", prepared);
     else
       {
         FemMatrix K = matrices.stiffness(rate);

@@ -245,11 +245,11 @@ namespace vfife
                   .maxCoeff();
               if (std::abs(K(row, column) - mean(row, column)) >
                   1e-6 * std::sqrt((c < 18 ? way : turn) * other))
-                throw InputError(
-                  "bearing \"" + space_.model().bearings[rings_[i].support - first].name +
-                  "\": its stiffness is not the same in all directions across the axis, so that "
-                  "it joins harmonics of one sector; at rest take the whole body "
-                  "(cyclic symmetry = no)");
+                throw InputError("bearing \"" +
+                                 space_.model().bearings[rings_[i].support - first].name +
+                                 "\": its stiffness differs between directions across the axis, so "
+                                 "that it couples harmonics of one sector. At rest use the whole "
+                                 "body (cyclic symmetry = no)");
             }
       }
   }

@@ -29,8 +29,8 @@ namespace vfife
       for (const FemSpace::Part &part : space.parts())
         names.push_back(space.model().bodies[part.body].name());
       throw InputError("Model/constraints",
-                       "nothing is free to move: all nodes of " + list_of(names, true) +
-                         " are held in all directions; leave some of them free");
+                       "no node can move: all nodes of " + list_of(names, true) +
+                         " are held in all directions. Leave some of them free");
     }
     void refuse_led_directions(const FemSpace &space)
     {
@@ -38,8 +38,8 @@ namespace vfife
         if (constraint.kind == ConstraintKind::directions &&
             space.find_part(constraint.body) != nullptr && !constraint.displacement.isZero(0.))
           throw InputError("constraint \"" + constraint.name +
-                           "\": vibrations and contact by conventional finite elements "
-                           "hold directions, they do not prescribe displacements");
+                           "\": vibrations and contact by conventional finite elements support "
+                           "fixed directions, not prescribed displacements");
     }
   } // namespace
 

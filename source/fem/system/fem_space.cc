@@ -289,9 +289,9 @@ namespace vfife
       throw InputError("body \"" + body.name() + "\" is not made of three or more equal sectors");
     if (!turns_about_sector_axis(body))
       throw InputError("body \"" + body.name() +
-                       "\": cyclic symmetry needs sectors that are all alike, and its axis (axis "
-                       "point, axis direction) is not the axis of its mesh's sectors; set it along "
-                       "the mesh's z, in either sense, or leave cyclic symmetry at no");
+                       "\": cyclic symmetry requires the axis of its sectors, but its axis (axis "
+                       "point, axis direction) differs. Set it along the mesh's z, in either "
+                       "sense, or set cyclic symmetry = no");
 
     for (unsigned int e = 0; e < body.n_elements(); ++e)
       if (const ElementKind kind = body.kind_of(e),
@@ -318,7 +318,7 @@ namespace vfife
       size = std::max(size, x.norm());
     for (unsigned int i = 0; i < n_nodes; ++i)
       if ((turn * X[i] - X[n_nodes + i]).norm() > 1e-9 * size)
-        throw InputError("body \"" + body.name() + "\": its sectors are not turned copies");
+        throw InputError("body \"" + body.name() + "\": its sectors are not rotated copies");
     // Of nodes of sector 1: their points here.
     std::map<unsigned int, unsigned int> copies;
     std::vector<CellNodes>               cells;
@@ -334,7 +334,8 @@ namespace vfife
             if (node < n_nodes)
               continue;
             if (node >= 2 * n_nodes)
-              throw InputError("body \"" + body.name() + "\": a sector touches more than the next");
+              throw InputError("body \"" + body.name() +
+                               "\": a sector adjoins other sectors than the next");
             const auto found = copies.emplace(node, nodes.size());
             if (found.second)
               {
@@ -560,7 +561,7 @@ namespace vfife
     for (const unsigned int node : nodes)
       if (!inside[body.structure().copy(node, 1)])
         throw InputError("body \"" + body.name() + "\": " + what +
-                         " is not alike in all sectors: it has node " + std::to_string(node) +
-                         " without its copy in the next one");
+                         " differs between sectors: it has node " + std::to_string(node) +
+                         " without its copy in the next sector");
   }
 } // namespace vfife

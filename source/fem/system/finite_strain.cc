@@ -157,8 +157,8 @@ namespace vfife
           if (std::abs(work) <= round_tolerance * energy + noise)
             return alpha;
         }
-      throw NumericalError("the incompatible modes of a strained element find no equilibrium: its "
-                           "strain is too large");
+      throw NumericalError(
+        "the incompatible modes of an element did not converge: strain too large");
     }
   } // namespace
 

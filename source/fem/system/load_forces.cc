@@ -256,7 +256,7 @@ namespace vfife
       return springs;
     if (space.sector_angle() > 0)
       throw InputError("spring \"" + load.name +
-                       "\": springs to the ground need the whole body, not one sector of it");
+                       "\": springs to the ground require the whole body, not one sector of it");
     for (const auto &share : point_shares(load, space, *part))
       springs.emplace_back(share.first, Matrix3((share.second * load.vector).asDiagonal()));
     return springs;

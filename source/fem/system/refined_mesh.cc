@@ -122,8 +122,8 @@ namespace vfife
   {
     if (triangulation_->n_levels() > 1 && triangulation_->has_hanging_nodes())
       throw InputError("body \"" + body.name() +
-                       "\": its mesh is refined locally and has hanging nodes, which the finite "
-                       "element solver does not take; refine it everywhere");
+                       "\": its locally refined mesh has hanging nodes, which the finite element "
+                       "solver does not support. Refine it everywhere");
     for (unsigned int step = 1;; ++step)
       {
         if (std::none_of(refinements.begin(), refinements.end(), [&](const LocalRefinement &asked) {
@@ -169,7 +169,7 @@ namespace vfife
     for (std::size_t e = 0; e < elements_.size(); ++e)
       if (elements_[e].parent != whole.elements_[e].parent ||
           elements_[e].cell->level() != whole.elements_[e].cell->level())
-        throw NumericalError("a sector of a body is divided otherwise than the whole body");
+        throw NumericalError("a sector of a body is divided differently from the whole body");
   }
 
   void RefinedMesh::list_elements()

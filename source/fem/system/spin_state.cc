@@ -32,7 +32,7 @@ namespace vfife
     SpinState        state;
     state.displacements.assign(3 * static_cast<std::size_t>(system.space().n_points()), 0.);
     const auto refuse = [&name]() {
-      throw NumericalError(name + " no stable state of spin: the speed is too high");
+      throw NumericalError(name + ": no stable equilibrium (the speed is too high)");
     };
     // At rest, and at the state: the bed is under both.
     const auto with_bed = [&](FemMatrix K) {

@@ -62,8 +62,8 @@ namespace vfife
               throw InputError("of tooth " + std::to_string(numbers.size()) + ": " + error.what());
             }
           if (!rest.empty())
-            throw InputError("of tooth " + std::to_string(numbers.size() - 1) + ": \"" +
-                             trimmed(word) + "\" is no number");
+            throw InputError("of tooth " + std::to_string(numbers.size() - 1) +
+                             ": expected a number, got \"" + trimmed(word) + "\"");
         }
       return numbers;
     }
@@ -130,9 +130,9 @@ namespace vfife
           const bool is_tooth =
             tooth[i] >= 0. && tooth[i] < teeth && tooth[i] == std::floor(tooth[i]);
           if (!is_tooth || !std::isnan(of_tooth[static_cast<unsigned int>(tooth[i])]))
-            throw InputError("the table \"" + path + "\": tooth " + number_text(tooth[i]) +
-                             (is_tooth ? " is given twice" : " is not there") +
-                             "; teeth are 0 to " + std::to_string(teeth - 1));
+            throw InputError("the table \"" + path + "\": expected each tooth from 0 to " +
+                             std::to_string(teeth - 1) + " once, got tooth " +
+                             number_text(tooth[i]) + (is_tooth ? " twice" : ""));
           of_tooth[static_cast<unsigned int>(tooth[i])] = value[i];
         }
       return single ? accumulate(of_tooth) : of_tooth;
@@ -193,7 +193,9 @@ namespace vfife
     const std::string list_entry  = section + "/single pitch deviations",
                       table_entry = section + "/pitch table";
     if (!pitch_list.empty() && !pitch_table.empty())
-      throw InputError(table_entry, "single pitch deviations are given as well; only one can be");
+      throw InputError(
+        table_entry,
+        "expected a pitch table or single pitch deviations, got both. Remove one of them");
     std::vector<double> deviations; // [um]
     if (!pitch_list.empty())
       deviations = read_entry(list_entry, [&]() {
@@ -236,7 +238,7 @@ namespace vfife
                  [&]() { chosen[read_tooth_number(name, teeth)] = true; });
     if (topography.empty() && !topography_teeth.empty())
       throw InputError(section + "/topography teeth",
-                       "teeth are named, but there is no topography");
+                       "expected a topography for these teeth, got none");
     return chosen;
   }
 

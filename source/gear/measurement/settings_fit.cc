@@ -25,8 +25,8 @@ namespace vfife
             return setting;
           names.push_back(setting.name);
         }
-      throw InputError("there is no machine setting \"" + name +
-                       "\" to be found; allowed: " + list_of(names) + did_you_mean(name, names));
+      throw InputError("expected a machine setting, got \"" + name +
+                       "\"; allowed: " + list_of(names) + did_you_mean(name, names));
     }
   } // namespace
 
@@ -80,11 +80,12 @@ namespace vfife
       free_.push_back(find_setting(name));
     const std::size_t n = free_.size() + (free_turn_ ? 1 : 0);
     if (free_.empty())
-      throw InputError("no machine setting is to be found");
+      throw InputError("expected at least one machine setting, got none");
     if (points_.size() < n)
       {
         std::ostringstream message;
-        message << points_.size() << " points cannot tell " << n << " unknowns";
+        message << "expected at least " << n << " points for " << n << " unknowns, got "
+                << points_.size();
         throw InputError(message.str());
       }
     limits_ = Unknowns::Constant(n, std::numeric_limits<double>::infinity());
@@ -209,8 +210,8 @@ namespace vfife
       {
         if (result.iterations++ == most)
           {
-            result.unfinished = std::to_string(most) +
-                                " steps do not come to rest; leave settings out that do the same";
+            result.unfinished = "no convergence in " + std::to_string(most) +
+                                " steps. Remove settings that have the same effect";
             break;
           }
         const Eigen::MatrixXd J    = slopes(x);

@@ -195,7 +195,7 @@ namespace vfife
                  "height over the pitch cone h [mm]",
                  h,
                  passage(target, 0.).exists ? ": the tooth is undercut there"
-                                            : ": the cutter does not come there");
+                                            : ": the cutter does not reach this point");
       }
     return deviation_ ? evaluate(x[0], x[1]) : found.point;
   }

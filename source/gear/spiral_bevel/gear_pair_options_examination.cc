@@ -50,11 +50,10 @@ namespace vfife
       findings.add(Findings::Action::stop,
                    given[0],
                    {},
-                   text_of("a pair is proposed (",
+                   text_of("section ",
                            section,
-                           "/Proposal), which sets blanks and machine settings itself; to change "
-                           "one of them begin with pair.prm of a tooth contact analysis of the "
-                           "proposal, which has them all",
+                           "/Proposal sets blanks and machine settings. To change one of them, "
+                           "start from pair.prm of a tooth contact analysis of the proposal",
                            others));
     }
 
@@ -154,7 +153,7 @@ namespace vfife
                   sum / degree,
                   " deg instead of the shaft angle ",
                   shaft_angle / degree,
-                  " deg: the clearance tapers along the face; the angles are taken as given"));
+                  " deg: the clearance tapers along the face; the program uses the given angles"));
     }
 
     /** Taper of the depth against what a spread-blade gear cutter needs (duplex taper). */
@@ -171,23 +170,22 @@ namespace vfife
       const double sum =
         blank1.pitch_angle - blank1.root_angle + blank2.pitch_angle - blank2.root_angle;
       if (std::abs(sum - duplex) > duplex_tolerance * std::abs(duplex))
-        findings.add(
-          Findings::Action::warn,
-          section + "/Gear/Blank/root angle",
-          {section + "/Pinion/Blank/root angle",
-           section + "/Gear/Convex flank/blade angle",
-           section + "/Gear/Convex flank/cradle angle",
-           section + "/Gear/Convex flank/radial distance",
-           section + "/Gear/Convex flank/point radius",
-           section + "/Gear/Blank/pitch angle",
-           section + "/Pinion/Blank/pitch angle",
-           section + "/Gear/Blank/mean cone distance"},
-          text_of("the dedendum angles sum up to ",
-                  sum / degree,
-                  " deg, the duplex formula gives ",
-                  duplex / degree,
-                  " deg for this cutter: teeth and slots do not taper alike; the root angles "
-                  "are taken as given"));
+        findings.add(Findings::Action::warn,
+                     section + "/Gear/Blank/root angle",
+                     {section + "/Pinion/Blank/root angle",
+                      section + "/Gear/Convex flank/blade angle",
+                      section + "/Gear/Convex flank/cradle angle",
+                      section + "/Gear/Convex flank/radial distance",
+                      section + "/Gear/Convex flank/point radius",
+                      section + "/Gear/Blank/pitch angle",
+                      section + "/Pinion/Blank/pitch angle",
+                      section + "/Gear/Blank/mean cone distance"},
+                     text_of("the dedendum angles sum up to ",
+                             sum / degree,
+                             " deg, the duplex formula gives ",
+                             duplex / degree,
+                             " deg for this cutter: teeth and slots taper differently; the program "
+                             "uses the given root angles"));
     }
   } // namespace
 
@@ -208,8 +206,8 @@ namespace vfife
         findings.add(Findings::Action::stop,
                      section + "/Proposal",
                      {},
-                     "there is no gear pair: neither blanks and machine settings (sections Pinion "
-                     "and Gear) nor the basic data of which Proposal makes them, as\n"
+                     "expected a gear pair, got none. Set blanks and machine settings (sections "
+                     "Pinion and Gear), or basic data in section Proposal, such as\n"
                      "subsection Gear pair\n"
                      "  subsection Proposal\n"
                      "    set pinion teeth = 17\n"

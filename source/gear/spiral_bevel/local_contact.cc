@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/gear/spiral_bevel/local_contact.h>
 
 #include <cmath>
@@ -63,7 +64,8 @@ namespace vfife
     // touch a little off the line, in the proportion of both curvatures.
     const double asked = design.lag_curvature * contact.arm / (contact.speed * contact.speed);
     if (!(asked < contact.curvature))
-      throw InputError("the lag asked for is more than any pinion flank can give");
+      throw InputError("the requested transmission error amplitude is not attainable (at most " +
+                       figure_text(100. * contact.curvature / asked) + " % of it)");
     const double c     = asked * contact.curvature / (contact.curvature - asked);
     const double alpha = contact.curvature + c;
     const double pace  = -contact.speed * contact.curvature / alpha; // across, on the pinion
@@ -79,8 +81,8 @@ namespace vfife
     const double k = design.small_curvature, share = contact.across.dot(path);
     const double denominator = alpha * share * share - k;
     if (!(denominator > 0.))
-      throw InputError("no pinion flank has this path of contact and length of the ellipse; a path "
-                       "nearer to the lengthwise direction or a longer ellipse may do");
+      throw InputError("no pinion flank has this path of contact and length of the ellipse. Choose "
+                       "a path nearer to the lengthwise direction or a longer ellipse");
     const double mu = k * (alpha - k) / denominator;
     return alpha * contact.across * contact.across.transpose() + mu * side * side.transpose() -
            contact.gear_curvature_tensor;

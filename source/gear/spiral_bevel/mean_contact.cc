@@ -74,10 +74,9 @@ namespace vfife
       throw InputError(
         std::string("Gear pair/Pinion/") + section_of(pinion_side) + "/ratio of roll",
         std::string("the pinion's ") + (side == MeshSide::drive ? "drive" : "coast") +
-          " flank touches the gear's nowhere at the speed ratio of the teeth, on the teeth or "
-          "beyond them" +
-          (settings.ratio_of_roll > 0. ? "; is the ratio of roll right?"
-                                       : ", for any ratio of roll"));
+          " flank has no contact with the flank of the gear at the speed ratio of the teeth, "
+          "neither on the teeth nor beyond them" +
+          (settings.ratio_of_roll > 0. ? ". Check the ratio of roll" : ", for any ratio of roll"));
 
     // Points on both flanks and their common normal in the fixed frame.
     const FlankContact           &contact = found->contact;

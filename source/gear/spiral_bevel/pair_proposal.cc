@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/base/types.h>
 #include <vfife/gear/findings.h>
 #include <vfife/gear/newton.h>
@@ -113,8 +114,9 @@ namespace vfife
       const double width = pi * m - thickness - 2. * gear.blank.mean_dedendum * tan_al;
       if (!(width > 0.1 * m))
         throw InputError("Gear pair/Proposal/pressure angle",
-                         "the gear's slots have no width at their bottom (" +
-                           std::to_string(width) + " mm) with this pressure angle and depth");
+                         "the root land of the gear slot is " + figure_text(width) +
+                           " mm, expected at least " + figure_text(0.1 * m) +
+                           " mm. Reduce the pressure angle or the tooth depth");
       // The cutter's axis stands where its blades pass the middle of the tooth at the spiral angle:
       //   S cos q = A_m cos(d - g) - r sin b,   S sin q = r cos b
       const double sign = gear.blank.hand == Hand::left ? 1. : -1.;
@@ -228,7 +230,8 @@ namespace vfife
                             -(pinion.mean_addendum - gear.mean_addendum) / 2);
       double rot2 = -polar_angle(point.position);
       if (!find_meshing_rotation(point, one, gear_frame(), ratio, rot2))
-        throw InputError("the gear flank never meshes at its mean point");
+        throw InputError("the gear flank does not mesh at its mean point; change the spiral angle "
+                         "or the cutter radius");
       const Matrix3     R2 = turned_frame(gear_frame(), rot2).rotation;
       const LineContact contact(R2 * point.position,
                                 -(R2 * point.normal),
@@ -270,10 +273,10 @@ namespace vfife
       // 4. Newton from the gear's cutter and a machine without offset.
       Vector3 x(gear_options.cutter_diameter / (2. * A), 0., 0.);
       if (!solve_newton<3>(equations, x))
-        throw InputError("no settings were found that cut the pinion flank asked for");
+        throw InputError("no machine settings cut the required pinion flank");
       // Newton's method may run away to where the flank has the curvatures at this point alone.
       if (std::max(std::abs(x[1]), std::abs(x[2])) > 1.)
-        throw InputError(text_of("the pinion flank asked for takes a machine center to back of ",
+        throw InputError(text_of("the required pinion flank needs a machine center to back of ",
                                  A * x[1],
                                  " mm and a blank offset of ",
                                  A * x[2],
@@ -292,7 +295,7 @@ namespace vfife
   {
     if (proposal.gear_teeth == 0 || proposal.pinion_teeth < 6)
       throw InputError("Gear pair/Proposal/pinion teeth",
-                       "a proposal needs at least 6 teeth of the pinion, and those of the gear");
+                       "expected at least 6 pinion teeth and the number of gear teeth");
     if (proposal.pinion_teeth > proposal.gear_teeth)
       throw InputError("Gear pair/Proposal/pinion teeth",
                        "the pinion has " + std::to_string(proposal.pinion_teeth) +
@@ -307,11 +310,12 @@ namespace vfife
                          (entry == "shaft angle" ? "Mounting/" : "Proposal/") + entry,
                        fault);
     if (!(proposal.module > 0.))
-      throw InputError("Gear pair/Proposal/module", "a proposal needs the outer transverse module");
+      throw InputError("Gear pair/Proposal/module",
+                       "expected the outer transverse module, got none");
     // The ellipse that is asked for is one of marking compound, whose film is too thick for smaller
     // teeth.
     if (proposal.module < least_module)
-      throw InputError("Gear pair/Proposal/module", "proposals begin at 0.2 mm");
+      throw InputError("Gear pair/Proposal/module", "must be at least 0.2 mm");
     // the gear alone, then pinion flanks that fit it
     propose_blanks(proposal, shaft_angle, pinion.blank, gear.blank);
     propose_gear_cutter(proposal, pinion.blank, gear);

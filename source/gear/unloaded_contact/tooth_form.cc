@@ -106,12 +106,12 @@ namespace vfife
           findings_.add(Findings::Action::warn,
                         entry + "/machine root angle",
                         {},
-                        text_of("the flank is undercut", place, "; it is taken as generated"));
+                        text_of("the flank is undercut", place, "; the generated flank is used"));
         if (section.root_clearance <= 0.)
           findings_.add(Findings::Action::warn,
                         entry + "/sliding base",
                         {},
-                        text_of("the mating tip meets the root",
+                        text_of("the mating tip interferes with the root",
                                 place,
                                 ", clearance ",
                                 section.root_clearance,
@@ -163,7 +163,7 @@ namespace vfife
                              -section.fillet_distance,
                              " mm into the fillet at the ",
                              section.place,
-                             ": a smaller blade edge radius leaves more flank"));
+                             ". Choose a smaller blade edge radius for more flank"));
     }
   } // namespace
 

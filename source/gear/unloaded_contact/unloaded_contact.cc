@@ -212,8 +212,8 @@ namespace vfife
         start = (i % 2 == 0 ? 1. : -1.) * (i / 2 + 1) * walk;
         if (std::abs(start) > 2.)
           throw NumericalError("flanks of the " + side_name(side_) +
-                               " side touch nowhere inside their borders, where the members stand "
-                               "by Gear pair/Mounting; edges alone may");
+                               " side: no contact inside the flanks for the given Gear "
+                               "pair/Mounting; only edge contact is possible");
       }
     const auto border = [&](const double direction) {
       // walk outwards to the first point outside, then bisect: beyond the border the flanks may not

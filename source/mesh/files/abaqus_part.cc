@@ -68,7 +68,7 @@ namespace vfife
   void AbaqusPart::add_node(const unsigned long label, const Vector3 &place, const std::string &set)
   {
     if (!node_index_.emplace(label, nodes.size()).second)
-      text_.refuse("there is a second node " + std::to_string(label));
+      text_.refuse("duplicate node " + std::to_string(label));
     node_labels_.emplace(nodes.size(), label);
     if (!set.empty())
       set_of(node_sets, set).members.push_back(nodes.size());
@@ -80,12 +80,12 @@ namespace vfife
     text_.check_options(keyword, {"NSET", "SYSTEM"});
     const std::string system = abaqus_key(keyword.value("SYSTEM"));
     if (!system.empty() && system != "R" && system != "C")
-      text_.refuse("coordinates of SYSTEM=" + shown(system) + " are not read: R or C is needed");
+      text_.refuse("expected SYSTEM=R or SYSTEM=C, got SYSTEM=" + shown(system));
     for (std::vector<std::string> words; text_.next_row(words);)
       {
         // Behind the coordinates three numbers may say the normal of a shell.
         if (words.empty() || words.size() > 7)
-          text_.refuse("a node needs a number and three coordinates");
+          text_.refuse("expected a node with its number and three coordinates");
         words.resize(7);
         Vector3 x;
         for (unsigned int c = 0; c < 3; ++c)
@@ -125,7 +125,7 @@ namespace vfife
         system_.rotation.col(1) = system_.rotation.col(2).cross(system_.rotation.col(0));
       }
     else
-      text_.refuse("*SYSTEM is read with one point, or with three points in two lines");
+      text_.refuse("expected *SYSTEM with one point, or with three points in two lines");
   }
 
   /** Hexahedra of all kinds, whose own formulation is left out, faces and lines. */
@@ -141,9 +141,9 @@ namespace vfife
         const std::string extra = solid ? type.substr(4) : type;
         if (!extra.empty() && extra != "R" && extra != "I")
           {
-            const std::string warning = "elements of type " + type +
-                                        " are read as hexahedra like C3D8: what is special to them "
-                                        "is left out";
+            const std::string warning =
+              "elements of type " + type +
+              " are read as hexahedra C3D8; their special properties are ignored";
             if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
               warnings.push_back(warning);
           }
@@ -155,7 +155,7 @@ namespace vfife
     for (const char *line_type : {"T2D2", "T3D2", "B21", "B31"})
       if (type == line_type)
         return ElementKind::line;
-    text_.refuse("elements of type " + shown(type) + " are no 8-node hexahedra (C3D8)", line);
+    text_.refuse("expected 8-node hexahedra (C3D8), got elements of type " + shown(type), line);
   }
 
   void AbaqusPart::read_elements(const AbaqusKeyword &keyword)
@@ -173,9 +173,9 @@ namespace vfife
         if (kind == ElementKind::hexahedron && whole.size() < wanted)
           continue; // goes on in the next line
         if (kind == ElementKind::hexahedron && whole.size() > wanted)
-          text_.refuse("an element needs its number and eight nodes, not more");
+          text_.refuse("expected an element with its number and eight nodes, got more");
         if (kind == ElementKind::face && whole.size() != wanted)
-          text_.refuse("a 4-node element needs its number and four nodes");
+          text_.refuse("expected a 4-node element with its number and four nodes");
         std::vector<unsigned int> of_nodes;
         for (std::size_t i = 1; i < whole.size(); ++i)
           of_nodes.push_back(node(whole[i]));
@@ -192,7 +192,7 @@ namespace vfife
                                const std::string               &set)
   {
     if (!element_index_.emplace(label, elements.size()).second)
-      text_.refuse("there is a second element " + std::to_string(label));
+      text_.refuse("duplicate element " + std::to_string(label));
     if (!set.empty())
       set_of(element_sets, set).members.push_back(elements.size());
     elements.push_back({kind, of_nodes, text_.line(), label});
@@ -202,7 +202,7 @@ namespace vfife
   {
     const auto found = node_index_.find(label);
     if (found == node_index_.end())
-      text_.refuse("there is no node " + std::to_string(label));
+      text_.refuse("node " + std::to_string(label) + " does not exist");
     return found->second;
   }
 
@@ -218,7 +218,7 @@ namespace vfife
     const unsigned int first_node = nodes.size(), first_element = elements.size();
     if (!instances.emplace(abaqus_key(name), Instance{name, &part, first_node, first_element})
            .second)
-      text_.refuse("there is a second instance " + shown(name));
+      text_.refuse("duplicate instance " + shown(name));
     for (const Vector3 &x : part.nodes)
       nodes.push_back(placement(x));
     for (Element element : part.elements)
@@ -236,7 +236,8 @@ namespace vfife
     for (std::vector<std::string> words; text_.next_row(words);)
       {
         if (words.size() < 2 || words.size() > 3)
-          text_.refuse("*NGEN needs first and last node and the increment of their numbers");
+          text_.refuse(
+            "expected *NGEN with the first node, the last node and the increment of their numbers");
         const unsigned long first = text_.label(words[0]), last = text_.label(words[1]),
                             step = words.size() > 2 ? text_.label(words[2]) : 1;
         if (last <= first || step == 0 || (last - first) % step != 0 ||
@@ -267,19 +268,18 @@ namespace vfife
         if (text_.goes_on())
           continue;
         if (whole.size() < 2 || whole.size() > 10)
-          text_.refuse(
-            "*ELGEN needs an element, and up to three times a number of elements and the "
-            "increments of numbers of nodes and elements");
+          text_.refuse("expected *ELGEN with an element, and up to three times a number of "
+                       "elements and the increments of node and element numbers");
         whole.resize(10);
         unsigned long numbers[10];
         for (unsigned int i = 0; i < 10; ++i)
           numbers[i] = whole[i].empty() ? 1 : text_.label(whole[i]);
         const auto found = element_index_.find(numbers[0]);
         if (found == element_index_.end())
-          text_.refuse("there is no element " + shown(whole[0]));
+          text_.refuse("element " + shown(whole[0]) + " does not exist");
         if (numbers[1] == 0 || numbers[4] == 0 || numbers[7] == 0 ||
             numbers[1] > most_generated / numbers[4] / numbers[7])
-          text_.refuse("the numbers of elements of *ELGEN must be one or more");
+          text_.refuse("the numbers of elements of *ELGEN must be at least 1");
         const Element     master = elements[found->second];
         const std::string set    = keyword.value("ELSET");
         if (!set.empty())
@@ -308,7 +308,7 @@ namespace vfife
     text_.check_options(keyword, {"CHANGENUMBER", "OLDSET", "SHIFTNODES", "NEWSET"});
     const auto found = element_sets.find(abaqus_key(keyword.value("OLDSET")));
     if (found == element_sets.end())
-      text_.refuse("there is no element set \"" + shown(keyword.value("OLDSET")) + "\"");
+      text_.refuse("element set \"" + shown(keyword.value("OLDSET")) + "\" does not exist");
     const unsigned long change = text_.label(keyword.value("CHANGENUMBER")),
                         shift =
                           keyword.has("SHIFTNODES") ? text_.label(keyword.value("SHIFTNODES")) : 0;

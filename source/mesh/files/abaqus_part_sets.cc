@@ -26,7 +26,7 @@ namespace vfife
       return {this, 0, 0};
     const auto found = instances.find(abaqus_key(instance));
     if (found == instances.end())
-      text_.refuse("there is no instance \"" + shown(instance) + "\"");
+      text_.refuse("instance \"" + shown(instance) + "\" does not exist");
     return {found->second.part, found->second.first_node, found->second.first_element};
   }
 
@@ -43,7 +43,7 @@ namespace vfife
         const Index &index = of_nodes ? scope.part->node_index_ : scope.part->element_index_;
         const auto   found = index.find(text_.label(word));
         if (found == index.end())
-          text_.refuse(std::string("there is no ") + (of_nodes ? "node " : "element ") + word);
+          text_.refuse((of_nodes ? "node " : "element ") + word + " does not exist");
         members.push_back(first + found->second);
         return;
       }
@@ -66,8 +66,8 @@ namespace vfife
                   of_nodes,
                   members);
     else
-      text_.refuse(std::string("there is no ") + (of_nodes ? "node set" : "element set") + " \"" +
-                   shown(word) + "\" so far");
+      text_.refuse(std::string(of_nodes ? "node set" : "element set") + " \"" + shown(word) +
+                   "\" does not exist before this line");
   }
 
   void AbaqusPart::add_range(const std::vector<std::string> &words,
@@ -76,7 +76,7 @@ namespace vfife
                              std::vector<unsigned int>      &members) const
   {
     if (words.size() < 2 || words.size() > 3)
-      text_.refuse("GENERATE needs first and last number, and their step");
+      text_.refuse("expected GENERATE with first number, last number and step");
     const unsigned long step = words.size() > 2 ? text_.label(words[2]) : 1;
     if (step == 0)
       text_.refuse("the step of GENERATE must not be 0");
@@ -135,7 +135,7 @@ namespace vfife
         return;
       }
     if (!type.empty() && type != "ELEMENT")
-      text_.refuse("surfaces of TYPE=" + shown(type) + " are not read: ELEMENT or NODE is needed");
+      text_.refuse("expected TYPE=ELEMENT or TYPE=NODE, got TYPE=" + shown(type));
     Surface &surface = surfaces[abaqus_key(name)];
     if (surface.name.empty())
       surface.name = name;

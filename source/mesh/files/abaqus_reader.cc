@@ -33,10 +33,10 @@ namespace vfife
         for (AbaqusKeyword keyword; text_.next_keyword(keyword);)
           read_keyword(keyword);
         if (part_ != nullptr || instance_ != nullptr)
-          text_.refuse("a *PART or *INSTANCE is not ended");
+          text_.refuse("a *PART or *INSTANCE has no end");
         add_elements();
         if (mesh_.elements.empty())
-          text_.refuse("there are no hexahedra (C3D8 elements)");
+          text_.refuse("expected hexahedra (C3D8 elements), got none");
         for (const auto &[keyword, set] : sections_)
           check_section(keyword, set);
         name_sets();
@@ -103,8 +103,8 @@ namespace vfife
       {
         const auto found = place_->element_sets.find(abaqus_key(keyword.value("ELSET")));
         if (found == place_->element_sets.end())
-          text_.refuse(keyword.shown + ": there is no element set \"" +
-                         shown(keyword.value("ELSET")) + "\"",
+          text_.refuse(keyword.shown + ": element set \"" + shown(keyword.value("ELSET")) +
+                         "\" does not exist",
                        keyword.line);
         section_parts_[&found->second] = place_;
         return &found->second;
@@ -115,9 +115,8 @@ namespace vfife
       {
         for (const unsigned int element : set->members)
           if (section_parts_.at(set)->elements[element].kind != Part::ElementKind::hexahedron)
-            text_.refuse(keyword.shown +
-                           " gives stiffness to elements that are no hexahedra, in \"" +
-                           shown(set->name) + "\": they are not read",
+            text_.refuse(keyword.shown + " gives stiffness to elements other than hexahedra in \"" +
+                           shown(set->name) + "\"; such elements are not available",
                          keyword.line);
       }
 
@@ -126,7 +125,7 @@ namespace vfife
         text_.check_options(keyword, {"NAME", "PART"});
         const auto found = part_of_name_.find(abaqus_key(keyword.value("PART")));
         if (found == part_of_name_.end())
-          text_.refuse("there is no part \"" + shown(keyword.value("PART")) + "\"");
+          text_.refuse("part \"" + shown(keyword.value("PART")) + "\" does not exist");
         // What the instance adds is added to a copy of the part.
         parts_.push_back(std::make_unique<Part>(*found->second));
         instance_      = parts_.back().get();
@@ -147,8 +146,7 @@ namespace vfife
               break;
             if (i == 2 || words.size() > (i == 0 ? 3 : 7))
               text_.refuse(
-                "an instance is placed by a translation and, in a second line, two points "
-                "of an axis and an angle");
+                "expected a translation and, in a second line, two points of an axis and an angle");
             words.resize(7);
             double numbers[7];
             for (unsigned int c = 0; c < 7; ++c)
@@ -161,7 +159,7 @@ namespace vfife
               }
             const Vector3 axis = Vector3(numbers[3], numbers[4], numbers[5]) - a;
             if (!(axis.norm() > 0))
-              text_.refuse("the two points of the axis are one");
+              text_.refuse("the two points of the axis coincide");
             placement.rotation    = rotation_about(axis.normalized(), numbers[6] * degree);
             placement.translation = a + placement.rotation * (placement.translation - a);
           }
@@ -175,8 +173,7 @@ namespace vfife
         const bool is_placed =
           !placement_.translation.isZero(0.) || !placement_.rotation.isIdentity(0.);
         if (is_placed && instance_->nodes.size() != n_part_nodes_)
-          text_.refuse("nodes within an *INSTANCE that is placed are not read: define them in the "
-                       "part");
+          text_.refuse("nodes within a placed *INSTANCE are not read. Define them in the part");
         whole_.add_instance(instance_name_, *instance_, placement_);
         instance_ = nullptr;
         place_    = &whole_;

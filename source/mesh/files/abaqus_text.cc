@@ -139,8 +139,8 @@ namespace vfife
                                            "STEP",
                                            "ENDSTEP"};
 
-    constexpr const char *places = "changes the places of nodes and is not read: write nodes and "
-                                   "elements as they are",
+    constexpr const char *places = "changes the places of nodes and is not read. Write nodes and "
+                                   "elements at their final places",
                          *joins  = "joins nodes or parts and is not read",
                          *adds   = "adds mass, stiffness or elements and is not read";
 
@@ -336,7 +336,7 @@ namespace vfife
   {
     if (word.empty() || word.find_first_not_of("0123456789") != std::string::npos ||
         word.size() > 18)
-      refuse("\"" + shown(word) + "\" is no number of a node or element");
+      refuse("expected the number of a node or element, got \"" + shown(word) + "\"");
     return std::stoul(word);
   }
 
@@ -346,7 +346,7 @@ namespace vfife
       return 0.;
     const auto value = plain_number(word);
     if (!value)
-      refuse("\"" + shown(word) + "\" is no number");
+      refuse("expected a number, got \"" + shown(word) + "\"");
     return *value;
   }
 
@@ -359,8 +359,8 @@ namespace vfife
       return "";
     const std::string meant = find_meant(keyword);
     if (!meant.empty())
-      return "is no keyword that is known; did you mean *" + meant + "?";
-    return inside ? "" : "is no keyword that is known" + did_you_mean(keyword, left_out);
+      return "is an unknown keyword; did you mean *" + meant + "?";
+    return inside ? "" : "is an unknown keyword" + did_you_mean(keyword, left_out);
   }
 
   bool is_abaqus_model_keyword(const std::string &keyword)

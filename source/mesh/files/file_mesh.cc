@@ -94,7 +94,7 @@ namespace vfife
             const auto found = std::lower_bound(faces.begin(), faces.end(), nodes, is_before);
             if (found == faces.end() || found->nodes != nodes)
               throw InputError(path + ":" + std::to_string(face.line) + ": a face of surface \"" +
-                               shown(name) + "\" is no face of a hexahedron");
+                               shown(name) + "\" is not a face of a hexahedron");
           }
     }
 

@@ -41,7 +41,7 @@ namespace vfife
         for (std::string section = text_.next(); !section.empty(); section = text_.next())
           read_section(section);
         if (mesh_.elements.empty())
-          text_.refuse("there are no hexahedra (elements of type 5)");
+          text_.refuse("expected hexahedra (elements of type 5), got none");
         mesh_.finish(path_, node_sets_, surfaces_, regions_);
         return std::move(mesh_);
       }
@@ -52,8 +52,8 @@ namespace vfife
       void read_section(const std::string &section)
       {
         if (section[0] != '$')
-          text_.refuse("cannot be read as a Gmsh file: \"" + shown(section) +
-                       "\" stands where a section such as $Nodes should begin");
+          text_.refuse("cannot be read as a Gmsh file: expected a section such as $Nodes, got \"" +
+                       shown(section) + "\"");
         if (section == "$MeshFormat")
           read_format();
         else if (version_ == 0.)
@@ -96,7 +96,7 @@ namespace vfife
         const std::string end = "$End" + section.substr(1);
         for (std::string word = text_.next(); word != end; word = text_.next())
           if (word.empty())
-            text_.refuse("section " + shown(section) + " does not end by " + shown(end));
+            text_.refuse("section " + shown(section) + " does not end with " + shown(end));
       }
 
       void read_format()
@@ -119,7 +119,7 @@ namespace vfife
             const long        number    = text_.integer("the number of a physical group");
             const std::string line      = text_.rest_of_line();
             if (line.size() < 2 || line.front() != '"' || line.back() != '"')
-              text_.refuse("the name of a physical group must stand in quotes");
+              text_.refuse("the name of a physical group must be in quotes");
             names_[{dimension, number}] = line.substr(1, line.size() - 2);
           }
       }
@@ -150,7 +150,7 @@ namespace vfife
       void add_node(const long tag, const Vector3 &x)
       {
         if (!node_index_.emplace(tag, mesh_.nodes.size()).second)
-          text_.refuse("there is a second node " + std::to_string(tag));
+          text_.refuse("duplicate node " + std::to_string(tag));
         mesh_.nodes.push_back(x);
       }
 
@@ -249,7 +249,7 @@ namespace vfife
               if (type.dimension == 3 && number != hexahedron)
                 break;
               if (number == triangle)
-                text_.refuse("a triangle (type 2) is no face of a hexahedron");
+                text_.refuse("a triangle (type 2) is not a face of a hexahedron");
               return type;
             }
         text_.refuse("elements of type " + std::to_string(number) +
@@ -265,7 +265,7 @@ namespace vfife
             const long tag   = text_.integer("the number of a node");
             const auto found = node_index_.find(tag);
             if (found == node_index_.end())
-              text_.refuse("there is no node " + std::to_string(tag));
+              text_.refuse("node " + std::to_string(tag) + " does not exist");
             nodes.push_back(found->second);
           }
         if (type.dimension == 3)

@@ -56,7 +56,7 @@ namespace vfife
   FileMesh GridCollector::finish()
   {
     if (mesh_.elements.empty())
-      text_.refuse("there are no hexahedra");
+      text_.refuse("expected hexahedra, got none");
     mesh_.finish(path_, {}, surfaces_, regions_);
     return std::move(mesh_);
   }

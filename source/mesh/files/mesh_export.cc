@@ -42,7 +42,7 @@ namespace vfife
           row.second(out, collect(bodies), bodies);
           return;
         }
-    throw InputError("there is no export format \"" + format + "\"; allowed: " +
+    throw InputError("expected an export format, got \"" + format + "\"; allowed: " +
                      list_of(export_formats()) + did_you_mean(format, export_formats()));
   }
 } // namespace vfife

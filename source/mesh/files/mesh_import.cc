@@ -57,7 +57,7 @@ namespace vfife
           if (!text.empty() && text[0] != '#')
             return text[0] >= '0' && text[0] <= '9' ? read_ucd(path) : read_abaqus(path);
         }
-      throw InputError(path + ": the file is empty: there are no hexahedra");
+      throw InputError(path + ": expected hexahedra, got an empty file");
     }
 
     using ReadMesh = FileMesh (*)(const std::string &path);
@@ -89,7 +89,7 @@ namespace vfife
             }
           ends.push_back("." + format.first);
         }
-      throw InputError("mesh file " + path + ": the end of the name must be one of " +
+      throw InputError("mesh file " + path + ": expected a name that ends in one of " +
                        list_of(ends));
     }
 
@@ -158,11 +158,9 @@ namespace vfife
       sort_unique(nodes);
       std::ostringstream fault;
       if (n_inside > 0)
-        fault
-          << path << ":" << line << ": " << n_inside << " of the " << surface.faces.size()
-          << " faces of surface \"" << surface.name
-          << "\" lie between two elements, where nothing can act. Name a surface of outer faces "
-             "alone";
+        fault << path << ":" << line << ": " << n_inside << " of the " << surface.faces.size()
+              << " faces of surface \"" << surface.name
+              << "\" lie between two elements. Name a surface that consists of outer faces";
       else if (nodes != mesh.node_sets.at(surface.name))
         fault << path << ": \"" << surface.name
               << "\" is a node set and a surface of other nodes. Give one of them another name";
@@ -219,9 +217,10 @@ namespace vfife
       if (quality.least_determinant > 0.)
         return;
       message << quality.inverted_corners
-              << " hexahedra are inverted at a corner, though not inside; the worst one near "
+              << " hexahedra are inverted at a corner but not inside; the worst near "
               << quality.worst_cell_centre.transpose() << " mm has the scaled Jacobian "
-              << quality.least_scaled_jacobian << ". Stresses there are doubtful: improve the mesh";
+              << quality.least_scaled_jacobian
+              << ". Stresses there are inaccurate. Improve the mesh";
       mesh.warnings.push_back(message.str());
     }
   } // namespace
@@ -302,8 +301,8 @@ namespace vfife
   {
     std::ostringstream text;
     text << n << " nodes lie within " << tolerance
-         << " mm of another one, which no element shares with them (the first at "
-         << place.transpose() << " mm)";
+         << " mm of another node, and no element contains both (the first at " << place.transpose()
+         << " mm)";
     return text.str();
   }
 

@@ -69,7 +69,7 @@ namespace vfife
   {
     std::string found = next();
     if (found.empty())
-      refuse("the file ends where " + what + " should stand");
+      refuse("the file ends before " + what);
     return found;
   }
 
@@ -77,7 +77,7 @@ namespace vfife
   {
     const std::string found = word(expected);
     if (!boost::iequals(found, expected, std::locale::classic()))
-      refuse("\"" + shown(found) + "\" stands where " + expected + " should");
+      refuse("expected " + expected + ", got \"" + shown(found) + "\"");
   }
 
   double MeshText::number(const std::string &what)
@@ -94,7 +94,7 @@ namespace vfife
       {
         // the place says more than the reason
       }
-    refuse("\"" + shown(found) + "\" is no number; " + what + " should stand there");
+    refuse("expected a number (" + what + "), got \"" + shown(found) + "\"");
   }
 
   Vector3 MeshText::point()
@@ -111,9 +111,9 @@ namespace vfife
     long              value  = 0;
     const auto        result = std::from_chars(found.data(), found.data() + found.size(), value);
     if (result.ec != std::errc() || result.ptr != found.data() + found.size())
-      refuse("\"" + shown(found) + "\" is no whole number; " + what + " should stand there");
+      refuse("expected a whole number (" + what + "), got \"" + shown(found) + "\"");
     if (value < least)
-      refuse(what + " must be at least " + std::to_string(least) + ", not " + found);
+      refuse(what + " must be at least " + std::to_string(least) + ", got " + found);
     return value;
   }
 

@@ -32,7 +32,7 @@ namespace vfife
           {
             const long number = text_.integer("the number of a node");
             if (!index_.emplace(number, collector_.n_nodes()).second)
-              text_.refuse("there is a second node " + std::to_string(number));
+              text_.refuse("duplicate node " + std::to_string(number));
             collector_.add_node(text_.point());
           }
         for (long i = 0; i < n_cells; ++i)
@@ -54,9 +54,8 @@ namespace vfife
         const std::string word = text_.next();
         const auto        kind = kinds.find(word);
         if (kind == kinds.end())
-          text_.refuse("\"" + shown(word) +
-                       "\" stands where hex or quad should: other cells "
-                       "than hexahedra are not read");
+          text_.refuse("expected hex or quad, got \"" + shown(word) +
+                       "\"; other cells are not read");
         const unsigned int        line = text_.line();
         std::vector<unsigned int> nodes;
         for (unsigned int k = 0; k < kind->second; ++k)
@@ -64,7 +63,7 @@ namespace vfife
             const long number = text_.integer("the number of a node");
             const auto found  = index_.find(number);
             if (found == index_.end())
-              text_.refuse("there is no node " + std::to_string(number));
+              text_.refuse("node " + std::to_string(number) + " does not exist");
             nodes.push_back(found->second);
           }
         if (word == "hex")
@@ -80,7 +79,7 @@ namespace vfife
         for (std::string &word : words)
           word = text_.next();
         if (!words[0].empty() && (n_data == 0 || words[2] == "hex" || words[2] == "quad"))
-          text_.refuse("the file goes on behind the cells that its first line states");
+          text_.refuse("the file has more cells than its first line states");
         if (n_data > 0)
           collector_.add_note("data of nodes and cells are left out");
       }

@@ -137,8 +137,7 @@ namespace vfife
             of_cells_ = keyword == "CELL_DATA";
             n_values_ = text_.integer("the number of values");
             if (n_values_ != static_cast<long>(of_cells_ ? cells_.size() : collector_.n_nodes()))
-              text_.refuse(keyword + " is of another number of " +
-                           (of_cells_ ? "cells" : "points"));
+              text_.refuse(keyword + " has another number of " + (of_cells_ ? "cells" : "points"));
           }
         else if (keyword == "METADATA")
           for (std::string line; text_.next_line(line) && !trimmed(line).empty();)
@@ -153,7 +152,7 @@ namespace vfife
       void read_points()
       {
         if (collector_.n_nodes() > 0)
-          text_.refuse("there is a second section POINTS");
+          text_.refuse("duplicate section POINTS");
         const long n = text_.integer("the number of points");
         text_.next(); // float or double
         for (long i = 0; i < n; ++i)
@@ -164,14 +163,15 @@ namespace vfife
       {
         const long node = text_.integer("a node");
         if (node >= static_cast<long>(collector_.n_nodes()))
-          text_.refuse("there is no node " + std::to_string(node) + " (they are numbered from 0)");
+          text_.refuse("node " + std::to_string(node) +
+                       " does not exist (nodes are numbered from 0)");
         return node;
       }
 
       void read_cells()
       {
         if (!cells_.empty())
-          text_.refuse("there is a second section CELLS");
+          text_.refuse("duplicate section CELLS");
         const long        n    = text_.integer("the number of cells");
         const long        size = text_.integer("the number of all numbers of cells");
         const std::string word = text_.next();
@@ -241,7 +241,7 @@ namespace vfife
             const std::size_t n_nodes = is_face ? 4 : 8;
             if (cell.type > vtk_line_strip && cell.nodes.size() != n_nodes)
               text_.refuse("a cell of type " + std::to_string(cell.type) + " has " +
-                           std::to_string(n_nodes) + " nodes, the one of line " +
+                           std::to_string(n_nodes) + " nodes, the cell of line " +
                            std::to_string(cell.line) + " has " + std::to_string(cell.nodes.size()));
           }
       }
@@ -285,8 +285,8 @@ namespace vfife
         else if (keyword == "LOOKUP_TABLE")
           read_array(name, 4, text_.integer("the size of a table"), "");
         else
-          text_.refuse("\"" + shown(keyword) +
-                       "\" is no section of an unstructured grid of VTK's legacy format");
+          text_.refuse("expected a section of an unstructured grid of VTK's legacy format, got \"" +
+                       shown(keyword) + "\"");
       }
 
       /** FIELD NAME n, then n times: name, components, values, type; the numbers. */
@@ -326,7 +326,7 @@ namespace vfife
             std::string word;
             // Texts stand in lines of their own, which may be empty.
             if (type == "STRING" ? !text_.next_line(word) : (word = text_.next()).empty())
-              text_.refuse("the file ends where a value of \"" + shown(name) + "\" should stand");
+              text_.refuse("the file ends before a value of \"" + shown(name) + "\"");
             if (may_be_ids)
               {
                 array.words.push_back(word);
@@ -334,8 +334,8 @@ namespace vfife
               }
             else if (type != "STRING" && upper_case(word) != "NAN" && upper_case(word) != "-NAN" &&
                      !plain_number(word))
-              text_.refuse("\"" + shown(word) + "\" is no number; a value of \"" + shown(name) +
-                           "\" should stand there");
+              text_.refuse("expected a number (a value of \"" + shown(name) + "\"), got \"" +
+                           shown(word) + "\"");
           }
         if (may_be_ids)
           arrays_.push_back(std::move(array));
@@ -354,9 +354,9 @@ namespace vfife
           {
             const auto id = plain_number(chosen->words[i]);
             if (!id || *id != std::floor(*id) || std::abs(*id) > 1e9)
-              text_.refuse("\"" + shown(chosen->words[i]) + "\" in line " +
-                           std::to_string(chosen->lines[i]) + " is no whole number, as ids of \"" +
-                           shown(chosen->name) + "\" are");
+              text_.refuse("expected a whole number as id of \"" + shown(chosen->name) +
+                           "\" in line " + std::to_string(chosen->lines[i]) + ", got \"" +
+                           shown(chosen->words[i]) + "\"");
             cells_[i].id = static_cast<long>(*id);
           }
         left_out_.erase(std::remove(left_out_.begin(),
@@ -367,7 +367,7 @@ namespace vfife
           if (&other != &*chosen && rank_of_ids(other.name) != no_ids &&
               other.words != chosen->words)
             collector_.add_warning("regions have the ids of \"" + shown(chosen->name) +
-                                   "\", those of \"" + shown(other.name) + "\" are others");
+                                   "\"; the ids of \"" + shown(other.name) + "\" differ");
       }
 
       void add(const VtkCell &cell)

@@ -67,7 +67,8 @@ namespace vfife
           if (is_beyond || std::abs(step) < offset_tolerance)
             return {delta, -direction.dot(x.normal), x};
         }
-      throw NumericalError(gear.name() + ": no offset from a facet to the true flank found");
+      throw NumericalError(gear.name() +
+                           ": the offset from a facet to the true flank did not converge");
     }
 
     /** Bilinear weights in the order of FacetSurface. */

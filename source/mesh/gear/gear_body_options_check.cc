@@ -56,7 +56,8 @@ namespace vfife
         [&](const char *entry, const unsigned int count, const unsigned int least) {
           refuse.unless(count >= least,
                         std::string("Mesh/") + entry,
-                        std::to_string(count) + " is too few, at least " + std::to_string(least));
+                        std::to_string(count) + " is too small, expected at least " +
+                          std::to_string(least));
         };
       at_least("cells lengthwise", options.cells_lengthwise, 1);
       at_least("cells across tooth", options.cells_across, 2);
@@ -168,7 +169,8 @@ namespace vfife
       refuse.unless(options.hub_radius < start,
                     "Body/hub radius",
                     millimetres(options.hub_radius) +
-                      " leaves no room for a web, which starts at r = " + millimetres(start));
+                      " must be smaller than the radius at which the web starts, r = " +
+                      millimetres(start));
       refuse.unless(web.straight_start() < web.straight_end(),
                     "Body/hub fillet radius",
                     "the fillets leave no straight part of the web");
@@ -182,10 +184,10 @@ namespace vfife
   {
     const Refusal refuse(section);
     shaft.check(section + "/Shaft");
-    refuse.unless(!shaft.present() || web != WebKind::none,
-                  "Shaft/sections",
-                  "a body with web = none has no bore that a shaft could go through; allowed with "
-                  "web = conical or solid");
+    refuse.unless(
+      !shaft.present() || web != WebKind::none,
+      "Shaft/sections",
+      "a shaft requires web = conical or solid, because a body with web = none has no bore");
     if (shaft.present())
       {
         GearBodyOptions bare = *this;
@@ -194,7 +196,7 @@ namespace vfife
       }
     refuse.unless(element_size == 0. || element_size >= least_size_part * blank.face_width,
                   "Mesh/element size",
-                  millimetres(element_size) + " is too small, at least " +
+                  millimetres(element_size) + " is too small, expected at least " +
                     millimetres(least_size_part * blank.face_width));
     if (element_size == 0.)
       {

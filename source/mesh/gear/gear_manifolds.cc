@@ -105,7 +105,7 @@ namespace vfife
         if (std::abs(lambda - previous) < tolerance)
           return lambda;
       }
-    throw NumericalError(gear_->name() + ": a surface node has no place on the fillet");
+    throw NumericalError(gear_->name() + ": a surface node could not be placed on the fillet");
   }
 
   dealii::Point<3> FilletManifold::get_new_point(const Points  &surrounding_points,

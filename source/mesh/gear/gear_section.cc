@@ -45,7 +45,7 @@ namespace vfife
       std::ostringstream message;
       message
         << gear.name() << ": the tooth is undercut at cone distance " << L
-        << " mm: its flank and its fillet do not meet" << what
+        << " mm: its flank and its fillet do not join" << what
         << ", and no body is made of it. More teeth of the pinion, a larger pressure angle or "
            "a larger spiral angle avoid undercut";
       throw InputError(message.str());

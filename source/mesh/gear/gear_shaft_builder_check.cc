@@ -103,7 +103,7 @@ namespace vfife
       const std::string diameter = digits(2. * bore_radius) + " mm";
       if (within.empty())
         throw InputError(entry,
-                         "no section goes through the hub: one must lie over all of " + hub.text() +
+                         "no section passes through the hub. One section must span " + hub.text() +
                            " with an outer diameter of " + diameter);
       const std::size_t through = within.front();
       if (within.size() > 1)
@@ -111,7 +111,7 @@ namespace vfife
                          name_of_section(text, within[1]) + " and section " +
                            std::to_string(through + 1) +
                            " both reach into the length of the hub, " + hub.text() +
-                           ": only the one that goes through may lie there");
+                           ". Only the section that passes through may lie there");
       const ShaftSection &section = sections[through];
       if (section.from > hub.low + tolerance || section.to < hub.high - tolerance)
         throw InputError(entry,
@@ -153,8 +153,9 @@ namespace vfife
       for (const MeridianPart &part : parts)
         if (collide(sections[k], options.bore_radius, part))
           throw InputError(entry,
-                           name_of_section(shaft.text, k) + " cuts or touches the " + part.name +
-                             ": a gap must be left to the body, which at these diameters lies at " +
+                           name_of_section(shaft.text, k) + " intersects or touches the " +
+                             part.name +
+                             ". Leave a gap to the body, which at these diameters lies at " +
                              stretch_at(sections[k], parts).text());
 
     // 3. Levels that the mesh can have.
@@ -169,7 +170,7 @@ namespace vfife
           (level > hub.low + tolerance && level < hub.high - tolerance))
         throw InputError(entry,
                          "no cells can end at z = " + digits(level) +
-                           " mm: that must lie on the shaft, " + whole.text() +
+                           " mm. The level must lie on the shaft, " + whole.text() +
                            ", and outside the hub, " + hub.text());
   }
 } // namespace vfife

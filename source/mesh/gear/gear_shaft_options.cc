@@ -85,8 +85,8 @@ namespace vfife
     const std::size_t loose = find_loose(all);
     if (loose < all.size())
       refuse(loose,
-             " does not hang together with section 1: each section must go on where another ends, "
-             "or lie around another, with metal between the diameters in common");
+             " is not connected to section 1. Each section must start where another ends, or lie "
+             "around another, with common metal between the diameters");
   }
 
   double GearShaftOptions::n_cells(const double       bore_radius,

@@ -134,7 +134,7 @@ namespace vfife
         if (shape.name == name)
           return shape;
       const auto names = PrimitiveOptions::shapes();
-      throw InputError("there is no shape \"" + name + "\"; allowed: " + list_of(names) +
+      throw InputError("expected a shape, got \"" + name + "\"; allowed: " + list_of(names) +
                        did_you_mean(name, names));
     }
   } // namespace
@@ -178,7 +178,7 @@ namespace vfife
     for (unsigned int i = 0; i < shape_->counts.size(); ++i)
       if (shape_->counts[i].even && counts[i] % 2 != 0)
         throw InputError(section + "/" + shape_->counts[i].name,
-                         std::to_string(counts[i]) + " is odd, an even number is needed");
+                         "expected an even number, got " + std::to_string(counts[i]));
     // Bounds of single entries are checked when they are read; here what ties two of them.
     check_mesh_size(section, shape_->n_cells(counts));
     if (shape_->rising && !(sizes[0] < sizes[1]))

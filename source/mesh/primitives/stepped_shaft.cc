@@ -176,8 +176,8 @@ namespace vfife
       std::any_of(all.begin(), all.end(), [](const ShaftSection &s) { return s.inner == 0; });
     if (solid && around % 8 != 0)
       throw InputError(section + "/cells around",
-                       std::to_string(around) +
-                         " is no multiple of 8, which the core of a solid section needs");
+                       "expected a multiple of 8 for the core of a solid section, got " +
+                         std::to_string(around));
     double n_cells = 0;
     for (const ShaftSection &s : all)
       n_cells += ((s.to - s.from) / axial_cell_size + 1) *

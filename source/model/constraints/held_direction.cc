@@ -46,8 +46,9 @@ namespace vfife
         {
           // On the axis there is neither r nor theta, and what leads them leaves neither way free.
           if (prescribed[0] && displacement[0] != 0)
-            throw InputError("Model/Constraint " + constraint.name + "/displacement",
-                             "one of the nodes lies on the axis, where a radius cannot change");
+            throw InputError(
+              "Model/Constraint " + constraint.name + "/displacement",
+              "one of the nodes lies on the axis, where a radial displacement is impossible");
           hold(HeldCoordinate::along, at.e_r, 0.);
           hold(HeldCoordinate::along, at.e_theta, 0.);
         }

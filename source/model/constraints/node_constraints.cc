@@ -86,10 +86,9 @@ namespace vfife
       if (other != *hub && (other->kind == ConstraintKind::rigid_hub || n_held_ > of_hub))
         throw InputError("Model/Constraint " + other->name + "/nodes",
                          "constraints \"" + (*hub)->name + "\" and \"" + other->name +
-                           "\" do not go together at the node " + text_of(place_) + " of body \"" +
+                           "\" are incompatible at the node " + text_of(place_) + " of body \"" +
                            body_->name() + "\": the nodes of the rigid hub \"" + (*hub)->name +
-                           "\" share one rotation, and nothing beyond their radius and axial "
-                           "position can be held");
+                           "\" share one rotation. Hold at most their radius and axial position");
   }
 
   std::vector<HeldDirection> NodeConstraints::independent() const
@@ -206,8 +205,8 @@ namespace vfife
           other = j;
         }
     const auto say = [&](const std::size_t j) {
-      return "\"" + held_[j].constraint->name + "\" wants " + number_text(values[j]) + " " + unit +
-             " along " + text_of(held_[j].direction);
+      return "\"" + held_[j].constraint->name + "\" prescribes " + number_text(values[j]) + " " +
+             unit + " along " + text_of(held_[j].direction);
     };
     throw InputError("Model/Constraint " + held_[k].constraint->name + "/nodes",
                      "constraints \"" + held_[other].constraint->name + "\" and \"" +

@@ -31,12 +31,15 @@ namespace vfife
         {
           const std::optional<double> number = plain_number(word);
           if (!number)
-            throw InputError(entry, "\"" + word + "\" is no number; allowed: " + matrix_form);
+            throw InputError(entry,
+                             "expected " + std::string(matrix_form) + ", got \"" + word + "\"");
           if (n < 25)
             matrix(n / 5, n % 5) = *number;
         }
       if (n != 25)
-        throw InputError(entry, "has " + std::to_string(n) + " numbers; allowed: " + matrix_form);
+        throw InputError(entry,
+                         "expected " + std::string(matrix_form) + ", got " + std::to_string(n) +
+                           " numbers");
       return matrix;
     }
 
@@ -50,12 +53,11 @@ namespace vfife
       const Matrix5 pure =
         scale.cwiseInverse().asDiagonal() * matrix * scale.cwiseInverse().asDiagonal();
       if ((pure - pure.transpose()).cwiseAbs().maxCoeff() > 1e-6)
-        throw InputError(entry,
-                         "is not symmetric: such a bearing would make energy out of nothing");
+        throw InputError(entry, "the stiffness matrix must be symmetric");
       if (Eigen::SelfAdjointEigenSolver<Matrix5>(.5 * (pure + pure.transpose()))
             .eigenvalues()
             .minCoeff() < -1e-9)
-        throw InputError(entry, "has a negative eigenvalue: such a bearing pushes the shaft away");
+        throw InputError(entry, "the stiffness matrix must be positive semidefinite");
     }
 
     Matrix5 diagonal(const double radial, const double axial, const double tilting)
@@ -91,7 +93,7 @@ namespace vfife
   Matrix3 SeatOptions::make_axes(const Axis &axis, const std::string &section) const
   {
     if (axis.direction.cross(x_direction).norm() < 1e-6 * x_direction.norm())
-      throw InputError(section + "/x direction", "lies along the axis of the body");
+      throw InputError(section + "/x direction", "must not be parallel to the axis of the body");
     return axes_along(axis.direction, x_direction);
   }
 
@@ -128,14 +130,14 @@ namespace vfife
     const bool has_numbers = radial_stiffness > 0 || axial_stiffness > 0 || tilting_stiffness > 0;
     const bool has_damping = !seat.damping().isZero(0.);
     if (!stiffness_matrix.empty() && has_numbers)
-      throw InputError(section + "/stiffness matrix",
-                       "takes the place of radial, axial and tilting stiffness: give either");
+      throw InputError(
+        section + "/stiffness matrix",
+        "expected a stiffness matrix or radial, axial and tilting stiffness, got both");
     if (!damping_matrix.empty() && has_damping)
       throw InputError(section + "/damping matrix",
-                       "takes the place of radial, axial and tilting damping: give either");
+                       "expected a damping matrix or radial, axial and tilting damping, got both");
     if (stiffness_matrix.empty() && !has_numbers)
-      throw InputError(section + "/radial stiffness",
-                       "a bearing without any stiffness holds nothing");
+      throw InputError(section + "/radial stiffness", "at least one stiffness must be positive");
     make_law(section);
   }
 

@@ -213,7 +213,7 @@ namespace vfife
           if (const Overlap overlap = find_overlap(facets, from, other); overlap.depth > limit)
             {
               std::ostringstream text;
-              text << "expected bodies that begin apart or at most " << limit
+              text << "expected bodies that are apart at the start or at most " << limit
                    << " mm inside each other, where contact looks for them (depth limit), got "
                    << describe(overlap, from, other)
                    << ". Move one of them (position), or choose the surfaces that touch";
@@ -227,7 +227,7 @@ namespace vfife
                           pair.side,
                           ": at the start lies ",
                           describe(overlap, from, other),
-                          ", away from the surfaces of the contact, which does not see it");
+                          ", away from the surfaces of the contact, which does not detect it");
               return;
             }
         }
@@ -250,8 +250,8 @@ namespace vfife
         {
           std::ostringstream text;
           text << "expected a body in front of the wall, got body \"" << body.name()
-               << "\" wholly behind it, from " << std::max(0., least) << " to " << most
-               << " mm. Move the body or the wall point, or turn the wall normal round: it points "
+               << "\" completely behind it, from " << std::max(0., least) << " to " << most
+               << " mm. Move the body or the wall point, or reverse the wall normal, which points "
                   "out of the wall";
           throw InputError("Model/Contact " + wall.name + "/wall normal", text.str());
         }

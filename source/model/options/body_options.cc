@@ -137,7 +137,7 @@ namespace vfife
     else if (mesh == stepped_shaft)
       shaft.check(section);
     else if (file.empty())
-      throw InputError(section + "/file", "the name of the mesh file is missing");
+      throw InputError(section + "/file", "expected the name of the mesh file, got none");
     if (mesh != from_file && !region_materials.empty())
       throw InputError(section + "/region materials",
                        "expected mesh = file, got mesh = " + mesh + ", which has one region");
@@ -146,18 +146,18 @@ namespace vfife
         throw InputError(section + "/region materials",
                          "expected REGION: MATERIAL, got \"" + pair + "\"");
     if (rotation_axis.norm() == 0)
-      throw InputError(section + "/rotation axis", "a direction of length zero");
+      throw InputError(section + "/rotation axis", "must not have length zero");
     if (axis_direction.norm() == 0)
-      throw InputError(section + "/axis direction", "a direction of length zero");
+      throw InputError(section + "/axis direction", "must not have length zero");
     // Two ways to say how a body moves; one given beside the other kind of body would be
     // ignored silently.
     if (bearing && (!velocity.isZero(0.) || !angular_velocity.isZero(0.)))
-      throw InputError(section + "/" + (velocity.isZero(0.) ? "angular velocity" : "velocity"),
-                       "a body with a bearing moves by its speed about the axis only");
+      throw InputError(
+        section + "/" + (velocity.isZero(0.) ? "angular velocity" : "velocity"),
+        "must be zero for a body with a bearing, which moves by its speed about the axis only");
     if (!bearing && speed != 0)
       throw InputError(section + "/speed",
-                       "a body without a bearing has an angular velocity instead (or set bearing = "
-                       "yes)");
+                       "requires bearing = yes. Set angular velocity for a body without a bearing");
   }
 
   std::unique_ptr<BodyMesh> BodyOptions::make_mesh(const std::string &section) const
@@ -166,7 +166,8 @@ namespace vfife
       {
         std::unique_ptr<BodyMesh> body = make_stepped_shaft(shaft);
         if (count_parts(*body) > 1)
-          throw InputError(section + "/sections", "not all of them are joined by a face");
+          throw InputError(section + "/sections",
+                           "each section must have a common face with another one");
         return body;
       }
     return primitive ? make_primitive(*primitive) : read_file(section);
@@ -189,24 +190,22 @@ namespace vfife
     const CoincidentNodes coincident = find_coincident_nodes(*body);
     if (coincident.n > 0 && (!regions.empty() || n_parts == 1))
       body->warnings.push_back(file + ": " + coincident.describe() +
-                               ": nothing holds the elements together there, unless these nodes "
-                               "are merged");
+                               ": the elements are not connected there. Merge these nodes");
     if (!regions.empty() || n_parts == 1)
       return body;
     if (coincident.n > 0)
       throw InputError(
         section + "/file",
         file + " has " + std::to_string(n_parts) + " separate parts, and " + coincident.describe() +
-          ": the parts touch and share no nodes. Merge the nodes in the program that "
-          "made the mesh (Gmsh: Coherence Mesh); where the parts are bodies of their "
-          "own, give each its regions");
+          ": the parts touch but share no nodes. Merge the nodes in the mesh generator (Gmsh: "
+          "Coherence Mesh). For separate bodies, give each its regions");
     std::vector<std::string> names;
     for (const auto &region : body->regions)
       names.push_back("\"" + region.second + "\"");
     throw InputError(section + "/file",
                      file + " has " + std::to_string(n_parts) +
-                       " separate parts that no face joins: give the regions of this body as "
-                       "regions, or all of them where they are one body; the file has " +
+                       " parts without a common face. Set regions to the regions of this body, or "
+                       "to all regions if they are one body; the file has " +
                        list_of(names));
   }
 

@@ -97,12 +97,13 @@ namespace vfife
     if (kind != SupportKind::displacement)
       return;
     if (directions.empty())
-      throw InputError(section + "/directions", "at least one of x, y, z or of r, theta, z");
+      throw InputError(section + "/directions",
+                       "expected at least one of x, y, z or of r, theta, z, got none");
     const bool fixed = are_all_in(directions, fixed_directions);
     if (!fixed && !are_all_in(directions, cylindrical_directions))
       throw InputError(section + "/directions",
-                       "must be of x, y, z, or of r, theta, z, not \"" + list_of(directions) +
-                         "\"");
+                       "expected directions of x, y, z or of r, theta, z, got \"" +
+                         list_of(directions) + "\"");
     // What is given along a direction that is not prescribed, or not in its own entry, would be
     // passed over.
     const auto &words      = fixed ? fixed_directions : cylindrical_directions;
@@ -112,16 +113,15 @@ namespace vfife
     if (angle != 0 && !prescribes("theta"))
       throw InputError(section + "/angle",
                        "theta is not one of the directions (" + list_of(directions) +
-                         "): add it, with r and z for x, y and z, or leave the angle at 0");
+                         "). Add it, with r and z instead of x, y and z, or set the angle to 0");
     if (!fixed && displacement[1] != 0)
       throw InputError(section + "/displacement",
-                       "the displacement along theta is an angle: give it as angle, and 0 as the "
-                       "second number here");
+                       "the second number must be 0. Set angle for the displacement along theta");
     for (unsigned int c = 0; c < 3; ++c)
       if (displacement[c] != 0 && !prescribes(words[c]))
         throw InputError(section + "/displacement",
                          words[c] + " is not one of the directions (" + list_of(directions) +
-                           "): add it, or leave the displacement along it at 0");
+                           "). Add it, or set the displacement along it to 0");
   }
 
   bool ConstraintOptions::is_bearing() const
@@ -139,8 +139,8 @@ namespace vfife
     if (!body.turns_on_axis)
       throw InputError(section + "/body",
                        "body \"" + body.name() +
-                         "\" has no axis of rotation: set bearing = yes "
-                         "in its section, with axis point, axis direction and speed");
+                         "\" has no axis of rotation. Set bearing = yes in its section, with axis "
+                         "point, axis direction and speed");
     SelectedFaces faces = selection.find_faces(body, nodes, section);
     if (kind == SupportKind::coupling)
       model.couplings.push_back(

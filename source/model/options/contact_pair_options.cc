@@ -67,7 +67,7 @@ namespace vfife
     wall.penalty.check(section);
     wall.friction.check(section);
     if (wall.normal.norm() == 0)
-      throw InputError(section + "/wall normal", "a direction of length zero");
+      throw InputError(section + "/wall normal", "must not have length zero");
   }
 
   void ContactPairOptions::add_to(Model             &model,

@@ -196,7 +196,7 @@ namespace vfife
   void ModelOptions::check() const
   {
     if (bodies_.empty())
-      throw InputError("Model/bodies", "a model needs at least one body");
+      throw InputError("Model/bodies", "expected at least one body, got none");
     for (const auto &body : bodies_)
       body.second.check(section_of("Body", body.first));
     for (const auto &constraint : constraints_)
@@ -249,7 +249,7 @@ namespace vfife
         if (way > 1e-9 * place.norm())
           log.line("probe ",
                    probe.name,
-                   ": no node lies at its point; node ",
+                   ": no node is at its point. The record is of node ",
                    probe.node,
                    " of body ",
                    body.name(),
@@ -259,7 +259,7 @@ namespace vfife
                    place[1],
                    ", ",
                    place[2],
-                   ") mm is recorded, ",
+                   ") mm, ",
                    way,
                    " mm away");
       }

@@ -144,10 +144,10 @@ namespace vfife
             file                   = folder + "/" + previous_name;
             complaint              = seal.read(file, bytes);
             if (complaint.empty())
-              log.line(last, "; the checkpoint before is taken");
+              log.line(last, "; the program uses the previous checkpoint");
             else
-              complaint = "no checkpoint to go on from: " + last + "; " + complaint +
-                          "; without --restart the run starts anew";
+              complaint = "no valid checkpoint: " + last + "; " + complaint +
+                          ". Remove --restart to start the run from the beginning";
           }
       }
     complaint = communicator.broadcast(complaint);
@@ -179,15 +179,14 @@ namespace vfife
         same = mark.is_same(now);
       }
     if (!same)
-      throw InputError(
-        "the checkpoint is of another model: bodies, mesh and material must be those "
-        "of the run that wrote it");
+      throw InputError("the checkpoint belongs to another model. Use the bodies, mesh and material "
+                       "of the run that wrote it");
     // Which copies the probes are depends on the length of the run, which may have changed.
     for (Probe &probe : model.probes)
       {
         stream.pass(probe.node);
         stream.require(probe.node < model.bodies[probe.body].n_nodes(),
-                       "a probe at a node that the body has not");
+                       "the node of a probe does not exist");
       }
   }
 } // namespace vfife

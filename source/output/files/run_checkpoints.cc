@@ -71,7 +71,7 @@ namespace vfife
       // The wall time so far goes on counting after a restart.
       double time = run_time();
       part.pass(time);
-      part.require(time >= 0 && std::isfinite(time), "a run time that is none");
+      part.require(time >= 0 && std::isfinite(time), "the run time is not valid");
       earlier_time_ = part.reads() ? time : earlier_time_;
     });
     solver_(common, own);
@@ -119,11 +119,11 @@ namespace vfife
     common.finish();
     own.finish();
     has_checkpoint_ = true;
-    log_.line("goes on from \"",
+    log_.line("continues from \"",
               checkpoint.file,
               "\" at ",
               where(state),
-              same_ranks ? "" : ", written by another number of ranks: agrees to round-off");
+              same_ranks ? "" : ", written by another number of ranks: results agree to round-off");
     for (const std::string &remark : checkpoint.remarks)
       log_.line(remark);
     if (!same_version)
@@ -131,7 +131,7 @@ namespace vfife
                 checkpoint.version,
                 " of the program, this is ",
                 present_version(),
-                ": agrees to round-off");
+                ": results agree to round-off");
   }
 
   void RunCheckpoints::stop(const State &state) const
@@ -143,7 +143,7 @@ namespace vfife
     const std::string  command = script != nullptr ? script
                                  : n > 1           ? "mpirun -n " + std::to_string(n) + " vfife"
                                                    : "vfife";
-    throw Interrupted("stopped as asked at " + where(state) + " after a checkpoint; to go on: " +
+    throw Interrupted("stopped as asked at " + where(state) + " after a checkpoint; to continue: " +
                       command + " --restart \"" + folder_.path() + "\"");
   }
 

@@ -46,7 +46,7 @@ namespace vfife
   {
     std::ifstream file(path, std::ios::binary);
     if (!file)
-      return "there is no \"" + path + "\"";
+      return "\"" + path + "\" does not exist";
     std::ostringstream content;
     content << file.rdbuf();
     bytes = content.str();
@@ -61,12 +61,12 @@ namespace vfife
     // First whose file it is, then which format, then whether it is whole.
     const Header known = make_header(*this, bytes);
     if (header.mark != known.mark)
-      return "\"" + path + "\" is no " + noun + " of vfife, or is damaged";
+      return "\"" + path + "\" is not a " + noun + " of vfife, or is damaged";
     if (header.format_version != format_version)
       return "\"" + path + "\" is a " + noun + " of " +
              (header.format_version < format_version ? "an older" : "a newer") +
              " version of vfife (format " + std::to_string(header.format_version) +
-             "), this one reads format " + std::to_string(format_version);
+             "); this version reads format " + std::to_string(format_version);
     if (header.size != bytes.size())
       return "\"" + path + "\" is damaged: it has " + std::to_string(bytes.size()) + " of " +
              std::to_string(header.size) + " bytes";

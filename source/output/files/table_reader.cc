@@ -24,8 +24,8 @@ namespace vfife
       char        *end   = nullptr;
       const double value = std::strtod(text.c_str(), &end);
       if (end != text.c_str() + text.size())
-        throw InputError(place + ": \"" + shown(text) + "\" in column \"" + shown(heading.name) +
-                         "\" is no number");
+        throw InputError(place + ": expected a number in column \"" + shown(heading.name) +
+                         "\", got \"" + shown(text) + "\"");
       return value;
     }
   } // namespace

@@ -114,11 +114,11 @@ namespace vfife
                       folder,
                       "\" has no locks (",
                       std::strerror(attempt.error),
-                      "): see to it that no other study is started there");
+                      "). Do not start another study there");
         else if (descriptor_ >= 0 && !attempt.holder.empty())
-          log.line("a study has left the lock of its folder when it was killed (",
+          log.line("a killed study has left the lock of its folder (",
                    attempt.holder,
-                   "); the lock is taken over");
+                   "); this study takes the lock");
       }
     refusal = communicator.broadcast(refusal);
     if (!refusal.empty())

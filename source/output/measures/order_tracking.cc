@@ -59,7 +59,8 @@ namespace vfife
     , n_orders_(n_orders)
   {
     if (time.size() < 4 || length < 2 || n_orders == 0)
-      throw InputError("orders are tracked from four samples on, in windows of two turns and more");
+      throw InputError(
+        "order tracking requires at least four samples and windows of at least two turns");
     // Windows that end within the record, in half their length: n + 1 halves.
     const double first = turns(time.front()), last = turns(time.back());
     if (last - first < length * (1. - 1e-12))

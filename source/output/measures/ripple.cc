@@ -100,7 +100,7 @@ namespace vfife
   std::string Ripple::explain() const
   {
     if (!judged)
-      return "the ripple is not judged, which takes two whole tooth meshes";
+      return "the ripple is not judged: two whole tooth meshes are required";
     std::ostringstream text;
     text << "the ripple " << (steady ? "is steady in time" : "is NOT steady in time")
          << ", peak to peak and harmonics of the first and the second half differ by ";

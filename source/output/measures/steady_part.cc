@@ -192,7 +192,7 @@ namespace vfife
       throw InputError("a history of fewer than two rows has no steady part");
     if (!(samples_per_mesh > 1) || !std::isfinite(swing_period_meshes))
       throw InputError(
-        "the steady part needs more than one sample per tooth mesh and a finite swing period");
+        "the steady part requires more than one sample per tooth mesh and a finite swing period");
 
     const std::vector<double> &time     = history.numbers(column::time);
     const double               interval = (time.back() - time.front()) / (time.size() - 1);
@@ -219,7 +219,7 @@ namespace vfife
           judged.emplace_back(history.numbers(name));
         }
     if (judged.empty())
-      throw InputError("the history has none of the columns by which a steady part is judged");
+      throw InputError("the history has no column that can be judged for a steady part");
 
     // Two swing periods are compared with each other, or, where there is only one,
     // its single cycles.

@@ -109,7 +109,7 @@ namespace vfife
     stream.require(largest_.size() == parts_.size(), "stresses of other parts");
     for (std::size_t p = 0; p < parts_.size(); ++p)
       stream.require(largest_[p].node < model_.bodies[parts_[p].body].n_nodes(),
-                     "a node that is none");
+                     "a node does not exist");
   }
 
   PartStressWatch::PartStressWatch(const OutputFolder &folder,

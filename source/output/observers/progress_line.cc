@@ -111,15 +111,15 @@ namespace vfife
       return std::llround((end - start_time_) / state.dt);
     };
     const auto whole = count_until(whole_end_time_), part = count_until(end_time_);
-    log_.line("by the first ",
-              steps,
-              " steps a step takes ",
+    log_.line("one step takes ",
               1e3 * one,
-              " ms; the whole run of ",
+              " ms (mean of the first ",
+              steps,
+              "); the whole run of ",
               whole,
-              " steps: about ",
+              " steps takes about ",
               duration_text(one * whole),
-              part < whole ? "; this part of " + std::to_string(part) + " steps: about " +
+              part < whole ? "; this part of " + std::to_string(part) + " steps takes about " +
                                duration_text(one * part)
                            : "");
   }

@@ -41,7 +41,8 @@ class Case:
         """Builds the model and computes nothing: sizes, step, expected time, contradictions. InputError."""
         text = self._ask("--check")
         lines = [line.strip() for line in text.splitlines()]
-        return Check(text, tuple(line[len("check:"):].strip() for line in lines if line.startswith("check:")))
+        mark = "warning: input conflict:"
+        return Check(text, tuple(line[len(mark):].strip() for line in lines if line.startswith(mark)))
 
     def run(self, output=None, ranks=1, restart=False, show=False):
         """Does the case and returns its Result.

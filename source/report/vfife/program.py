@@ -80,8 +80,8 @@ def find_start_obstacle(environment):
         Path(folder).mkdir(parents=True, exist_ok=True)
         os.rmdir(tempfile.mkdtemp(prefix="vfife-", dir=folder))
     except OSError as error:
-        return (f'the folder for temporary files "{folder}" cannot be written to ({error.strerror}), and MPI needs it; '
-                "name another one by TMPDIR")
+        return (f'MPI cannot write to the folder for temporary files "{folder}" ({error.strerror}). '
+                "Set TMPDIR to another folder.")
     return ""
 
 

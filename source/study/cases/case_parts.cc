@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/log.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/bearing/bearing_law.h>
 #include <vfife/study/cases/case.h>
 
@@ -15,6 +16,7 @@ namespace vfife
     std::string joined(const Parts &...parts)
     {
       std::ostringstream message;
+      set_figure_digits(message, 4);
       (message << ... << parts);
       return message.str();
     }

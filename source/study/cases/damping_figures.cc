@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/log.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/model/transmission.h>
 #include <vfife/study/cases/damping_figures.h>
@@ -21,7 +22,8 @@ namespace vfife
       return {};
     NamedFigures       figures = {{"damping", {zeta, "1/s"}}};
     std::ostringstream text;
-    const auto         add = [&](const std::string &where, const double frequency) {
+    set_figure_digits(text, 4);
+    const auto add = [&](const std::string &where, const double frequency) {
       const double percent = 1e2 * damping_ratio_at(frequency, zeta);
       figures.push_back({"damping ratio at " + where, {percent, "%"}});
       text << (figures.size() > 2 ? ", " : ": ratio ") << percent << " % at " << where << " ("

@@ -70,11 +70,11 @@ namespace vfife
     if (!found())
       {
         text
-          << "no edges carry: tooth pairs are in contact within their path of contact only, from "
+          << "no edge contact: tooth pairs are in contact only within their path of contact, from "
           << borders_[0].place << " to " << borders_[1].place << " pitches";
         return text.str();
       }
-    text << "edges carry: ";
+    text << "edge contact: ";
     for (unsigned int i = 0; i < 2; ++i)
       text << (i == 0 ? "before" : ", after") << " the path of contact (" << borders_[i].name
            << ", " << borders_[i].place << " pitches) a tooth pair has up to "

@@ -137,7 +137,7 @@ namespace vfife
       throw InputError("Operation/speed",
                        "a free ring at the pitch circle would be stretched by " +
                          std::to_string(std::lround(std::min(1e9, 1e2 * ring_strain()))) +
-                         " %: no solid body holds together there");
+                         " %. Reduce the speed");
     contact_.check("Contact");
     if (contact_.surface == ContactSurfaceKind::true_flank ||
         contact_.surface == ContactSurfaceKind::automatic)

@@ -43,12 +43,9 @@ namespace vfife
         return "";
       return text("damping of ",
                   largest,
-                  " 1/s is above ",
+                  " 1/s exceeds ",
                   limit,
-                  " 1/s, ",
-                  GearCase::recommended_damping,
-                  " of the rate at which a free ring at the pitch circle breathes: it drags the "
-                  "deformation that stands still in space and changes the compliance");
+                  " 1/s: it distorts the static deflection pattern and the compliance");
     }
 
     std::string check_damping_rate(const GearCase &, const RunPlan &plan)
@@ -67,7 +64,7 @@ namespace vfife
         return "";
       if (operation.ramp == 0)
         return "start = ramp with ramp = 0 is a step of the torque: the contact force overshoots "
-               "and the flanks may part";
+               "and the flanks may separate";
       if (operation.ramp >= gear_case.run_meshes())
         return text("the ramp of ",
                     operation.ramp,
@@ -142,7 +139,7 @@ namespace vfife
         return "";
       return text("a free ring at the pitch circle would be stretched by ",
                   1e2 * strain,
-                  " % at this speed: no gear body carries that");
+                  " % at this speed, more than any gear body withstands");
     }
 
     std::string check_hub(const GearCase &gear_case, const RunPlan &)
@@ -160,13 +157,13 @@ namespace vfife
       if (plan.step < 0.7 * plan.stable_step)
         return text("history every = ",
                     plan.output->history_every,
-                    " samples a tooth mesh makes the step ",
+                    " samples per tooth mesh reduces the step to ",
                     plan.step / plan.stable_step,
-                    " of the stable one");
+                    " of the stable step");
       if (plan.stable_step < 0.6 * plan.element_step)
-        return text("the contact penalty makes the step ",
+        return text("the contact penalty reduces the step to ",
                     plan.stable_step / plan.element_step,
-                    " of that of the elements");
+                    " of the stable step of the elements");
       return "";
     }
 
@@ -198,7 +195,7 @@ namespace vfife
         return "";
       return text("history every = ",
                   plan.output->history_every,
-                  " samples a tooth mesh miss the ripple: means and peaks will be wrong");
+                  " samples per tooth mesh cannot resolve the ripple: use at least 10");
     }
 
     std::string check_length(const GearCase &gear_case, const RunPlan &plan)
@@ -208,8 +205,8 @@ namespace vfife
         return "";
       return text("a tooth mesh has ",
                   std::round(1. / (gear_case.mesh_frequency() * plan.step)),
-                  " steps at this speed: slow motion is for the loaded tooth contact analysis or a "
-                  "reduced pair");
+                  " steps at this speed: use the loaded tooth contact analysis or a reduced pair "
+                  "for slow motion");
     }
 
     const std::vector<Check> checks = {&check_flank,
@@ -247,10 +244,10 @@ namespace vfife
         if (sentence.empty())
           continue;
         found.push_back(sentence);
-        log.line("check: ", sentence);
+        log.line("warning: input conflict: ", sentence);
       }
     if (found.empty())
-      log.line("check: no contradictions");
+      log.line("no input conflicts found");
     return found;
   }
 

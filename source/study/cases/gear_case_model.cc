@@ -134,8 +134,7 @@ namespace vfife
       return;
     const char *entry = "Gear pair/Housing/stiffness";
     if (model.bearings.empty())
-      throw InputError(entry,
-                       "there are no bearings in the housing: both members have ideal bores");
+      throw InputError(entry, "expected bearings in the housing, got ideal bores of both members");
     // Bearings of the driver were added first; the file has those of the pinion first.
     std::stable_sort(model.bearings.begin(),
                      model.bearings.end(),

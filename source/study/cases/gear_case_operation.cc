@@ -35,9 +35,8 @@ namespace vfife
     catch (const InputError &error)
       {
         throw InputError("Operation/speed",
-                         std::string(error.what()) + ": " +
-                           std::to_string(operation_.meshes.number) +
-                           " tooth meshes are asked for");
+                         std::string("the speed ") + error.what() + " of " +
+                           std::to_string(operation_.meshes.number) + " tooth meshes");
       }
   }
 
@@ -131,19 +130,19 @@ namespace vfife
   {
     if (!driven_torque_history().is_constant() && dynamics.start == Start::ramp)
       throw InputError("Operation/torque",
-                       "a torque over time and a ramp at the start contradict each other: leave "
-                       "Dynamics/start at \"static preload\"");
+                       "expected a constant torque with Dynamics/start = ramp, got a torque over "
+                       "time. Set Dynamics/start = static preload");
     if (operation_.meshes.is_word && !(operation_.end_time > 0))
       {
         operation_.require_constant("Operation", "run until its ripple is steady");
         if (!(dynamics.mass_damping() > 0) && !(dynamics.mesh_damping > 0))
           throw InputError("Operation/tooth meshes",
-                           "without Dynamics/damping and mesh damping vibrations do not fall: no "
-                           "run becomes steady");
+                           "until steady requires Dynamics/damping or mesh damping, because "
+                           "otherwise vibrations do not decay");
       }
     if (!(operation_.speed_history.find_range(end_time()).first > 0))
       throw InputError("Operation/speed",
-                       "falls to zero within the run; it has to be positive to its end");
+                       "reaches zero within the run; it must be positive to the end");
   }
 
   double GearCase::ramp_time() const
@@ -173,14 +172,14 @@ namespace vfife
     const auto rate = [unit](const unsigned int times) {
       return std::to_string(std::lround(times * unit)) + " 1/s";
     };
-    throw InputError(!too_strong                  ? "Dynamics/mesh damping"
-                     : dynamics.damping_ratio > 0 ? "Dynamics/damping ratio"
-                                                  : "Dynamics/damping",
-                     "so strong a damper drags the deformation that stands still in space through "
-                     "the turning material and falsifies the compliance (more than 25 % at the "
-                     "largest damping); allowed are for a gear of this size damping up to " +
-                       rate(10) + " (ratio times 4 pi frequency) and mesh damping up to " +
-                       rate(100) + ", recommended is not more than " + rate(1));
+    throw InputError(
+      !too_strong                  ? "Dynamics/mesh damping"
+      : dynamics.damping_ratio > 0 ? "Dynamics/damping ratio"
+                                   : "Dynamics/damping",
+      "the damping distorts the static deflection pattern and the compliance (by more than 25 % at "
+      "the largest damping). For a gear of this size set damping at most " +
+        rate(10) + " (ratio times 4 pi frequency) and mesh damping at most " + rate(100) +
+        "; recommended: at most " + rate(1));
   }
 
   // dt = 1/(f s n), n = ceil(1/(f s dt_s)): whole steps from sample to sample, so that samples lie

@@ -84,14 +84,14 @@ namespace vfife
                        "expected \"undeformed\" or \"static preload\" for a model of the section "
                        "Model, got a start of gear pairs");
     if (dynamics.mesh_damping > 0)
-      throw InputError("Dynamics/mesh damping", "there is no gear pair in the model");
+      throw InputError("Dynamics/mesh damping", "requires a gear pair, got a model without one");
   }
 
   void ModelCase::check_run(const DynamicsOptions &dynamics) const
   {
     check_dynamics(dynamics);
     if (!(end_time_ > 0))
-      throw InputError("Dynamics/end time", "the end of the run is missing or zero");
+      throw InputError("Dynamics/end time", "expected a positive end time, got none");
   }
 
   double ModelCase::end_time() const

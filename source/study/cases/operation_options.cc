@@ -94,20 +94,19 @@ namespace vfife
   {
     // Zero is allowed when the entry is declared: kinds that stand still have no use for a speed.
     if (!(speed > 0))
-      throw InputError(section + "/speed",
-                       "the speed of the pinion is missing or zero; a dynamic run needs one");
+      throw InputError(section + "/speed", "expected a speed of the pinion above 0, got none");
   }
 
   void OperationOptions::check(const std::string &section) const
   {
     if (torque > 0 && pinion_torque > 0)
-      throw InputError(section + "/pinion torque",
-                       "the load is given twice, as torque on the driven member and as pinion "
-                       "torque: leave one of them out");
+      throw InputError(
+        section + "/pinion torque",
+        "expected torque (on the driven member) or pinion torque, got both. Remove one of them");
     if (!(torque > 0) && !(pinion_torque > 0))
       throw InputError(section + "/torque",
-                       "the torque on the driven member is missing or zero; flanks without load do "
-                       "not stay in contact (torque, or pinion torque)");
+                       "expected torque or pinion torque above 0, got none; flanks without load do "
+                       "not stay in contact");
   }
 
   void OperationOptions::require_constant(const std::string &section,
@@ -118,8 +117,10 @@ namespace vfife
                                          NamedHistory("/torque", &torque_history),
                                          NamedHistory("/pinion torque", &pinion_torque_history)})
       if (!history->is_constant())
-        throw InputError(section + entry,
-                         "the " + study + " takes one value; what changes with time is for runs");
+        throw InputError(
+          section + entry,
+          "the " + study +
+            " requires a constant value. Use kind run or reduced for values over time");
   }
 
   void OperationOptions::require_driving_pinion(const std::string &section,
@@ -128,7 +129,7 @@ namespace vfife
     if (driving != DrivingMember::pinion)
       throw InputError(section + "/driving member",
                        "the " + study +
-                         " has the pinion driving; the flanks that a driving gear uses carry with "
-                         "direction of rotation = reverse");
+                         " requires that the pinion drives. Set direction of rotation = reverse "
+                         "for the flanks of a driving gear");
   }
 } // namespace vfife

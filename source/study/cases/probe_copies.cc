@@ -19,7 +19,7 @@ namespace vfife
     Member member_of(const Model &model, const Probe &probe)
     {
       if (!model.transmission)
-        throw InputError("the model is no gear pair");
+        throw InputError("expected a model of a gear pair");
       const Transmission &t         = *model.transmission;
       const bool          is_driver = probe.body == t.driver;
       return {is_driver ? t.driver_teeth : t.driven_teeth,

@@ -58,8 +58,8 @@ namespace vfife
   {
     if (!run_case.list_lengths(dynamics).empty() && !(output.checkpoint_every > 0))
       throw InputError("Output/checkpoint every",
-                       "must be positive with Operation/tooth meshes = until steady: the run goes "
-                       "on from the checkpoint at its end");
+                       "must be positive with Operation/tooth meshes = until steady: the run "
+                       "continues from the checkpoint at its end");
   }
 
   void run_lengths(Case                        &run_case,
@@ -99,7 +99,7 @@ namespace vfife
           }
         log.line("the ripple is not steady after ",
                  lengths[i],
-                 " tooth meshes: goes on to ",
+                 " tooth meshes: the run continues to ",
                  lengths[i + 1]);
         checkpoint = read_checkpoint(folder.path(), folder.communicator(), log);
       }

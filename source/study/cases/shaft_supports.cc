@@ -33,7 +33,7 @@ namespace vfife
       if (!(ring.to > ring.from))
         throw InputError(section + "/to",
                          "the ring from " + range_text(ring.from, ring.to) +
-                           " must end behind its beginning");
+                           " must have \"to\" above \"from\"");
       const ShaftSection *nearest  = nullptr;
       double              distance = 0;
       for (const ShaftSection &s : sections)
@@ -68,7 +68,7 @@ namespace vfife
       if (ring.from < out - tolerance && ring.to > in + tolerance)
         throw InputError(section + "/from",
                          "the ring from " + range_text(ring.from, ring.to) +
-                           " meets the hub from " + range_text(in, out) +
+                           " overlaps the hub from " + range_text(in, out) +
                            ", where the shaft has no free surface");
       const double              radius = .5 * find_section(ring, sections, section).outer;
       std::vector<unsigned int> nodes;
@@ -144,11 +144,13 @@ namespace vfife
     if (sections.empty())
       {
         if (!seats_.empty())
-          throw InputError(section + "/bearings", "there is no shaft for them: give its sections");
+          throw InputError(section + "/bearings",
+                           "expected the sections of the shaft of these bearings, got none");
         return;
       }
     if (seats_.empty())
-      throw InputError(section + "/bearings", "nothing holds the shaft: name its bearings");
+      throw InputError(section + "/bearings",
+                       "expected the names of the bearings of the shaft, got none");
     for (const auto &[name, seat] : seats_)
       {
         const std::string where = section_of(section, name);

@@ -91,7 +91,7 @@ namespace vfife
       void check() const override
       {
         if (cases_.size() < 2)
-          throw InputError("Compare/cases", "there is nothing to compare: name two cases or more");
+          throw InputError("Compare/cases", "expected at least two cases");
         for (const Case &one : cases_)
           check_case(one);
       }
@@ -224,7 +224,7 @@ namespace vfife
         const CaseReport report = runner_.do_case(command_line(one, folder.path()), true, ranks);
         log.line(one.name, " ", report.describe());
         if (report.outcome == Outcome::interrupted)
-          throw Interrupted("the comparison is stopped; to go on: the same command");
+          throw Interrupted("the comparison is stopped. Run the same command to continue");
         if (report.outcome == Outcome::failed)
           throw NumericalError("case " + one.name + " has failed: " + report.message);
       }
@@ -257,11 +257,12 @@ namespace vfife
           remarks = list_other_pairs(cases);
           for (const ComparedCase &one : cases)
             if (!one.is_read)
-              remarks.push_back("nothing of the case \"" + one.name +
-                                "\" is compared: no other case has what stands beside the kind " +
-                                one.kind + ", or an earlier one of that kind is taken");
+              remarks.push_back(
+                "the case \"" + one.name +
+                "\" is not compared: no other case has comparable results for the kind " +
+                one.kind + ", or an earlier case of this kind is used");
           if (rows.empty())
-            failure = "the cases have no results in common that are known to be compared";
+            failure = "the cases have no results in common that can be compared";
         }
       catch (const InputError &error)
         {

@@ -22,7 +22,7 @@ namespace vfife
         const auto found = std::find(names.begin(), names.end(), wanted);
         if (found == names.end())
           throw InputError("Fem/bodies",
-                           "there is no body \"" + wanted + "\"" + did_you_mean(wanted, names) +
+                           "expected a body, got \"" + wanted + "\"" + did_you_mean(wanted, names) +
                              " (bodies: " + list_of(names) + ")");
         bodies.push_back(found - names.begin());
       }
@@ -40,7 +40,8 @@ namespace vfife
     if (held.empty())
       log.line("the housing joins all bearings");
     else
-      log.line("the housing joins the bearings of this body; those of others are held: ",
-               list_of(held));
+      log.line(
+        "the housing joins the bearings of this body; the bearings of other bodies are fixed: ",
+        list_of(held));
   }
 } // namespace vfife

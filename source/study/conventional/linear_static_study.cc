@@ -147,9 +147,10 @@ namespace vfife
         options_.check();
         fem_.check("Fem");
         if (fem_.cyclic_symmetry)
-          throw InputError("Fem/cyclic symmetry", "loads need the whole body: leave it at no");
+          throw InputError("Fem/cyclic symmetry",
+                           "must be no, because loads require the whole body");
         if (fem_.speeds != FemOptions().speeds)
-          throw InputError("Fem/speeds", "the speeds are those of the bodies: leave it at 0");
+          throw InputError("Fem/speeds", "must be 0, because each body has its own speed");
       }
 
       void inspect(Communicator &, Log &log) override
@@ -235,11 +236,11 @@ namespace vfife
                        "the rigid wall \"" + wall.name +
                          "\" is not linear: leave it out, or use kind = static");
     if (options_.centrifugal)
-      refuse_standing_loads(model,
-                            find_chosen_bodies(fem_, model),
-                            "Set Linear static/centrifugal = no, which has the body at rest: of a "
-                            "balanced rotor that is the displacement at any speed, but for what "
-                            "spin stiffens; or take kind = run");
+      refuse_standing_loads(
+        model,
+        find_chosen_bodies(fem_, model),
+        "Set Linear static/centrifugal = no for the body at rest (for a balanced rotor the "
+        "displacement at any speed, without spin stiffening), or use kind = run");
   }
 
   Model LinearStaticStudy::make_model(Log &log) const
@@ -286,7 +287,7 @@ namespace vfife
     HubRotation rotation = fem_.hold_hubs ? HubRotation::held : HubRotation::free;
     if (model.transmission)
       {
-        log.line("the members of the pair turn, each by itself: no contact, no torque");
+        log.line("the members of the pair rotate independently, without contact and torque");
         loads.part_of_torques = 0;
         if (!fem_.hold_hubs)
           rotation = HubRotation::pinned; // spin has no moment about the axis

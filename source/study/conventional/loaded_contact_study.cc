@@ -358,8 +358,9 @@ namespace vfife
       {
         if (!options_.pressure_cells.is_word)
           throw;
-        log.warning("position " + number_text(position) + ": " + error.what() +
-                    ". Its transmission error is that of the penalties, it has no pressures.");
+        log.warning(
+          "position " + number_text(position) + ": " + error.what() +
+          ". This position has the transmission error of the penalties and no pressures.");
         return 0.;
       }
   }

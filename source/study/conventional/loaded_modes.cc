@@ -43,7 +43,7 @@ namespace vfife
     for (const auto *list : {&modes.turning, &modes.standing})
       for (const CoupledMode &mode : *list)
         if (mode.share_of_turn > .02)
-          log.line(list == &modes.turning ? "  in turning axes " : "  standing in space ",
+          log.line(list == &modes.turning ? "  in turning axes " : "  stationary in space ",
                    mode.frequency,
                    " Hz: ",
                    100 * mode.share_of_turn,

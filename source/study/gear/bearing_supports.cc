@@ -92,10 +92,10 @@ namespace vfife
         const Matrix5                                K = ways.transpose() * law.stiffness * ways;
         const Eigen::SelfAdjointEigenSolver<Matrix5> modes(K);
         if (!(modes.eigenvalues().minCoeff() > 1e-9 * modes.eigenvalues().maxCoeff()))
-          throw InputError("Lumped/bearings",
-                           "the bearings of the " + body.name() +
-                             " leave it free to move, without load at least: give rolling bearings "
-                             "a working load");
+          throw InputError(
+            "Lumped/bearings",
+            "the bearings of the " + body.name() +
+              " do not support it without load. Give rolling bearings a working load");
         // 2. Each mode moves the contact point by d: compression of the mesh over the arm.
         const Matrix6x5 at_contact = member.motion_at(t.contact_point) * scale.asDiagonal();
         for (unsigned int k = 0; k < 5; ++k)

@@ -67,7 +67,7 @@ namespace vfife
         pair_.check("Gear pair");
         if (!options_.measured.empty() && !is_there(options_.measured))
           throw InputError("Flank fit/measured flank",
-                           "there is no file \"" + options_.measured + "\"");
+                           "file \"" + options_.measured + "\" does not exist");
         options_.limits("Flank fit");
       }
 
@@ -147,9 +147,8 @@ namespace vfife
       largest_changes.empty() ? std::vector<std::string>() : split_at_commas(largest_changes);
     if (!texts.empty() && texts.size() != settings.size())
       throw InputError(entry,
-                       "there are " + std::to_string(texts.size()) + " for " +
-                         std::to_string(settings.size()) +
-                         " settings: expected one for each of them, in their order, or none");
+                       "expected one value for each of the " + std::to_string(settings.size()) +
+                         " settings, in their order, or none, got " + std::to_string(texts.size()));
     std::vector<double> changes;
     for (std::size_t i = 0; i < texts.size(); ++i)
       for (const FittedSetting &setting : fitted_settings())
@@ -219,9 +218,9 @@ namespace vfife
              largest(found.after) / micrometre,
              " um");
     if (!found.unfinished.empty())
-      log.warning("flank fit: " + found.unfinished + ". The best settings that were met are kept");
+      log.warning("flank fit: " + found.unfinished + ". The best settings found are used");
     for (const std::string &name : found.at_limit)
-      log.warning("flank fit: " + name + " stands at its largest change: the flank asks for more");
+      log.warning("flank fit: " + name + " is at its largest change; the flank requires more");
     Json json                       = figures_json({{"points", {double(found.before.size()), "-"}},
                                                     {"independent changes", {double(found.directions), "-"}},
                                                     {"root mean square before", {before, "um"}},

@@ -123,7 +123,7 @@ namespace vfife
                    mode.frequency,
                    " Hz, damping ratio ",
                    mode.damping_ratio,
-                   ", met by the tooth mesh at ",
+                   ", excited by the tooth mesh at ",
                    60 * mode.frequency / model.pair().driver_teeth,
                    " rpm");
     }

@@ -95,7 +95,7 @@ namespace vfife
     for (const std::string &format : formats)
       if (std::find(known.begin(), known.end(), format) == known.end())
         throw InputError(section + "/formats",
-                         "there is no format \"" + format + "\"; allowed: " + list_of(known) +
+                         "expected a format, got \"" + format + "\"; allowed: " + list_of(known) +
                            did_you_mean(format, known) + "; CalculiX and Abaqus read inp");
     if ((lengthwise != 0 || profile != 0) && (lengthwise < 2 || profile < 2))
       throw InputError(

@@ -89,7 +89,7 @@ namespace vfife
                "arcsec (p pitches; within ",
                fixed(a.fit_error / arcsecond, 4),
                ")");
-      log.line("  edges               carry after ",
+      log.line("  edge contact        after ",
                fixed(a.ends[0].approach / arcsecond, 1),
                " and ",
                fixed(a.ends[1].approach / arcsecond, 1),
@@ -104,12 +104,12 @@ namespace vfife
                  " arcsec peak to peak");
       else
         log.warning(side_name(a.side),
-                    " side: neither flanks nor edges carry until the next tooth pair takes over");
+                    " side: contact is interrupted before the next tooth pair engages (contact "
+                    "ratio below 1)");
       if (a.over_an_edge)
-        log.warning(
-          side_name(a.side),
-          " side: the path of contact ends before the next tooth pair takes over; an edge "
-          "carries there");
+        log.warning(side_name(a.side),
+                    " side: the path of contact ends before the next tooth pair engages; there an "
+                    "edge is in contact");
     }
 
     /** What can be said of blanks and settings before flanks are generated. */
@@ -193,7 +193,7 @@ namespace vfife
                fixed(most, 3),
                " arcsec over ",
                meshes,
-               " tooth meshes; the same teeth meet again after ",
+               " tooth meshes; the same teeth are in contact again after ",
                cycle);
       log.line("                      all figures above are of the errors that all teeth share");
       json["unequal teeth"] = figures_json({{"tooth meshes", {double(meshes), "-"}},

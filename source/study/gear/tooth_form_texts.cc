@@ -49,7 +49,7 @@ namespace vfife
                         section.regularity);
           log.line(row);
         }
-    char play[128] = "backlash as mounted   not known: flanks of one side touch nowhere inside";
+    char play[128] = "backlash as mounted   not known: no contact inside the flanks of one side";
     if (std::isfinite(forms.play))
       std::snprintf(
         play,

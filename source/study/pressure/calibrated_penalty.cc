@@ -52,8 +52,8 @@ namespace vfife
 
     void keep_penalties(const std::string &why, const Model &model, Log &log)
     {
-      log.warning("Contact/penalty: the contact's own grid gives none (" + why +
-                  "). The contact has " +
+      log.warning("Contact/penalty: the contact's own grid gives no penalty (" + why +
+                  "). The contact uses " +
                   std::to_string(std::lround(model.contacts.front().options.penalty.value)) +
                   " N/mm^3, and its approach depends on the mesh.");
     }

@@ -144,15 +144,15 @@ namespace vfife
         const double n = std::ceil(span / every * (1. - 1e-9));
         if (n > most_instants)
           throw InputError(path_of("every"),
-                           rounded(n) + " instants; at most " + std::to_string(most_instants) +
-                             " are found");
+                           "expected at most " + std::to_string(most_instants) + " instants, got " +
+                             rounded(n));
         for (unsigned int i = 0; i < n; ++i)
           times.push_back(pair.time_of(std::max(0., end - span) + i * every));
       }
     if (times.size() > most_instants)
       throw InputError(path_of("instants"),
-                       std::to_string(times.size()) + " instants; at most " +
-                         std::to_string(most_instants) + " are found");
+                       "expected at most " + std::to_string(most_instants) + " instants, got " +
+                         std::to_string(times.size()));
     std::sort(times.begin(), times.end());
     times.erase(std::unique(times.begin(),
                             times.end(),

@@ -84,10 +84,9 @@ namespace vfife
                 stated_,
                 " arcsec peak to peak; it is above half of the cut-off of ",
                 cutoff_,
-                " Hz, where reduced bodies do not vibrate as their meshes: Reduced/cutoff "
-                "frequency = ",
+                " Hz, where reduced bodies are inaccurate. Set Reduced/cutoff frequency = ",
                 std::ceil(1e-3 * enough * frequency),
-                " kHz holds it");
+                " kHz");
   }
 
   void tell_near_cutoff(const Table        &history,

@@ -102,18 +102,19 @@ namespace vfife
       return "";
     std::ostringstream text;
     set_figure_digits(text, 4);
-    text << "speeds lie " << rpm * step << " rpm apart, wider than ";
+    text << "the speeds are " << rpm * step << " rpm apart, more than the width of ";
     if (!(damping > 0))
-      text << "resonances without damping, which have no width";
+      text << "resonances without damping, which is zero";
     else
       {
-        text << "a resonance is between its half-power points: ";
+        text << "a resonance between its half-power points: ";
         for (unsigned int order = 1; order <= judged_orders; ++order)
           text << (order > 1 ? ", " : "") << rpm * resonance_width(order, driver_teeth)
                << " rpm with mesh order " << order;
-        text << "; Reduced/speeds = " << std::ceil(range / narrowest) + 1 << " has all of them";
+        text << "; Reduced/speeds = " << std::ceil(range / narrowest) + 1
+             << " resolves all of them";
       }
-    text << ". Between the speeds there may be larger values than the largest ones stated";
+    text << ". Values between the speeds may be larger than the stated maxima";
     return text.str();
   }
 

@@ -103,11 +103,11 @@ namespace vfife
       find_steady_swing(errors, swing_of(start_), t.mesh_frequency(), mesh_damping_, start_.torque);
     pair_.start(swing.torque, t.driven_sense * swing.rate);
     pair_.measure(state_);
-    log_.line("the swing starts in its steady vibration: transmission error ",
+    log_.line("the torsional oscillation starts in its steady state: transmission error ",
               swing.error / arcsecond,
-              " arcsec beyond that at rest, flanks with ",
+              " arcsec beyond the static one, flank torque ",
               swing.torque,
-              " of the torque");
+              " of the load torque");
   }
 
   void ReducedRun::run(const Checkpoint            *checkpoint,

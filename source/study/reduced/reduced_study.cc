@@ -90,7 +90,7 @@ namespace vfife
           check_lengths(gear_case_, dynamics_, output_);
         if (dynamics_.damping_rate != DampingRate::momentum)
           throw InputError("Dynamics/damping rate",
-                           "modes are damped relative to the momentum's rate of the body");
+                           "must be momentum, because modes are damped relative to this rate");
       }
 
       void inspect(Communicator &, Log &log) override
@@ -133,12 +133,11 @@ namespace vfife
         if (!fillets_.gauges.empty() ||
             (fillets_.teeth != RecordedTeeth::none && fillets_.teeth != RecordedTeeth::all))
           throw InputError(!fillets_.gauges.empty() ? "Fillets/gauges" : "Fillets/teeth",
-                           "a sweep over speeds (Reduced/sweep) knows stresses of none or all "
-                           "teeth and no gauges; a reduced pair at one speed has more, also one "
-                           "of many runs that a study of the kind sweep makes");
+                           "a speed sweep (Reduced/sweep) supports Fillets/teeth = none or all, "
+                           "without gauges. Use single speeds (kind sweep) for gauges");
         if (sweep_options_.settling_decay_times > 0 && !(dynamics_.mass_damping() > 0))
           throw InputError("Reduced/settling decay times",
-                           "nothing decays without Dynamics/damping or Dynamics/damping ratio");
+                           "requires Dynamics/damping or Dynamics/damping ratio");
       }
       /** Whether one motion is computed, not one at each of many speeds. */
       bool is_motion() const

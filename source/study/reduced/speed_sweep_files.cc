@@ -27,8 +27,7 @@ namespace vfife
       communicator.max(signal);
       if (signal[0] > 0)
         throw Interrupted("stopped as asked after " + std::to_string(sweep.resonance().n_rows()) +
-                          " speeds, which resonance.csv has; a sweep does not go on, but may "
-                          "begin at the next speed");
+                          " speeds (resonance.csv). To continue, start a sweep at the next speed");
     }
 
     NamedFigures list_figures(const PairSpeedSweepSetup &setup, const Table &resonance)

@@ -37,7 +37,7 @@ namespace vfife
       }
     catch (const NumericalError &error)
       {
-        log.line("largest stresses at the start: not known; ", error.what());
+        log.line("largest stresses at the start: not available, ", error.what());
         return {};
       }
     log.line("largest stresses at rest in the first position, found in ",

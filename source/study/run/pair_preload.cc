@@ -2,6 +2,7 @@
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
 #include <vfife/base/text/byte_stream.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/dynamics/equilibrium/relaxation.h>
 #include <vfife/dynamics/equilibrium/standing_pattern.h>
 #include <vfife/dynamics/loop/explicit_solver.h>
@@ -160,11 +161,11 @@ namespace vfife
                                                 model_.transmission->mesh_frequency(),
                                                 options_.mesh_damping,
                                                 torque);
-    log_.line("  the swing starts in its steady vibration: transmission error ",
+    log_.line("  the torsional oscillation starts in its steady state: transmission error ",
               swing.error / arcsecond,
-              " arcsec beyond that at rest, flanks with ",
+              " arcsec beyond the static one, flank torque ",
               swing.torque,
-              " of the torque");
+              " of the load torque");
     return swing;
   }
 
@@ -229,27 +230,28 @@ namespace vfife
               preload_.rim_bending / arcsecond,
               ", teeth and rest ",
               parts.teeth / arcsecond,
-              "; of the lag ",
+              "; penalty stiffness accounts for ",
               preload_.penalty_lag / arcsecond,
-              " arcsec are the contact's penalty springs");
+              " arcsec of the lag");
     if (PairMounting::changes(model_))
       {
         std::ostringstream misalignment;
+        set_figure_digits(misalignment, 4);
         for (const MountingNumber &one : list_numbers(preload_.misalignment))
           misalignment << (misalignment.tellp() > 0 ? ", " : "") << one.name << " " << one.value
                        << " " << one.unit;
-        log_.line("of the whole, bearings ",
+        log_.line("bearings account for ",
                   preload_.supports.bearings / arcsecond,
-                  " and bending of the shafts ",
+                  " arcsec and shaft bending for ",
                   preload_.supports.bending / arcsecond,
-                  " arcsec; misalignment under load: ",
+                  " arcsec of the whole; misalignment under load: ",
                   misalignment.str());
       }
-    log_.line("the driven member swings at about ",
+    log_.line("the driven member oscillates at about ",
               preload_.swing.frequency(),
               " Hz, ",
               model_.transmission->mesh_frequency() / preload_.swing.frequency(),
-              " tooth meshes a period: stiffness ",
+              " tooth meshes per period: stiffness ",
               1e-3 * preload_.swing.stiffness,
               " N m/rad, inertia of the shape ",
               1e3 * preload_.swing.inertia,

@@ -51,7 +51,7 @@ namespace vfife
         log_.line(probe.name,
                   ": largest von Mises stress of its copies in all sectors ",
                   *largest,
-                  " MPa; that copy is recorded that comes there after ",
+                  " MPa; the record is of the copy that reaches this place after ",
                   n,
                   " of ",
                   meshes_,
@@ -72,7 +72,7 @@ namespace vfife
       {
         const double meshes = passes_mesh(probe);
         log_.line(probe.name,
-                  meshes < 0 ? ": has passed the mesh " : ": passes the mesh after ",
+                  meshes < 0 ? ": passed the contact " : ": passes the contact after ",
                   meshes < 0 ? -meshes : meshes,
                   meshes < 0 ? " tooth meshes before the start" : " tooth meshes");
       }

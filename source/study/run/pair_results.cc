@@ -79,8 +79,7 @@ namespace vfife
     const unsigned int most = RimWriter::count_diameters(model_);
     if (*std::max_element(diameters.begin(), diameters.end()) > most)
       throw InputError("Output/stress waves",
-                       "waves over the sectors are looked at up to " + std::to_string(most) +
-                         " nodal diameters");
+                       "expected at most " + std::to_string(most) + " nodal diameters");
     wave_places_.emplace(model_, records_teeth_ ? &*fillets_ : nullptr);
     observers.add<ProbeWaveWriter>(
       history_steps_, last_mesh(), diameters, *wave_places_, std::move(measure));
@@ -188,7 +187,7 @@ namespace vfife
   {
     if (!model_.transmission->has_constant_rate() || !has_constant_torque())
       {
-        log.line("no steady part is looked for: speed or torque changes during the run");
+        log.line("no search for a steady part: speed or torque changes during the run");
         return;
       }
     double ramp_end = 0;
@@ -204,13 +203,13 @@ namespace vfife
     if (needed > 0)
       {
         summary.figures.push_back({figure_name::steady_meshes, {double(needed), "-"}});
-        log.line("a steady ripple needs ",
+        log.line("a steady ripple requires at least ",
                  needed,
-                 " tooth meshes or more: in the first half vibrations fall to a tenth, the second "
-                 "half is judged");
+                 " tooth meshes: vibrations decay to a tenth in the first half, the second half is "
+                 "judged");
       }
     else
-      log.line("vibrations do not fall: without damping and mesh damping no ripple is steady");
+      log.line("vibrations do not decay without damping and mesh damping: no ripple is steady");
     for (const char *name : {column::contact_force_total, column::dte, column::rim_dte})
       {
         const ColumnStatistics &c = summary.steady->column(name);

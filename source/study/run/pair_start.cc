@@ -2,6 +2,7 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/output/measures/pair_mounting.h>
 #include <vfife/study/pressure/calibrated_penalty.h>
 #include <vfife/study/run/pair_start.h>
@@ -178,6 +179,7 @@ namespace vfife
         const double    residual = relaxation_.compute_residual(state, whole, all);
         if (residual < loads.looseness * relaxation_.options().tolerance)
           {
+            set_figure_digits(text, 4);
             text << round << " rounds, residual " << residual;
             return text.str();
           }

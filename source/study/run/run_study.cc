@@ -283,16 +283,16 @@ namespace vfife
     stepped.solver.start(state);
     const double n_steps  = case_->end_time() / stepped.dt;
     const double run_time = stepped.expect_run_time(state, n_steps);
-    log.line("a run is ",
+    log.line("the run has ",
              std::llround(n_steps),
-             " steps, about ",
+             " steps and takes about ",
              duration_text(run_time),
              " with ",
              communicator.size(),
              communicator.size() == 1 ? " rank" : " ranks",
-             dynamics_.start == Start::undeformed ? "" : ", and the equilibrium before it");
+             dynamics_.start == Start::undeformed ? "" : ", plus the equilibrium before the start");
     if (model.transmission && run_time > long_wait && is_large(model, case_->end_time()))
-      log.line("a first look takes less: Gear pair/mesh = coarse, Operation/tooth meshes = 14");
+      log.line("for a shorter run set Gear pair/mesh = coarse, Operation/tooth meshes = 14");
     report_contradictions(model, stepped, run_time, log);
   }
 

@@ -92,10 +92,7 @@ namespace vfife
     Model                     model = case_.make_model(log);
     std::vector<unsigned int> bodies(model.bodies.size());
     std::iota(bodies.begin(), bodies.end(), 0u);
-    refuse_standing_loads(model,
-                          bodies,
-                          "Set the speed of the body to 0, which has it at rest, or take kind = "
-                          "run");
+    refuse_standing_loads(model, bodies, "Set the speed of the body to 0, or use kind = run");
     scale_masses(dynamics_, model, log);
     return model;
   }

@@ -81,7 +81,7 @@ namespace vfife
   {
     const VfifeOperator   &vfife = solver.vfife_operator();
     const LimitingElement &worst = vfife.limiting_element();
-    log.line("stable step of the elements ",
+    log.line("the stable step of the elements is ",
              1e9 * worst.stable_step(),
              " ns, limited by element ",
              worst.element,
@@ -89,17 +89,21 @@ namespace vfife
              worst.body,
              " at (",
              worst.centroid.transpose(),
-             ") mm of its body frame; step ",
+             ") mm of its body frame; the step is ",
              1e9 * dt,
              " ns");
     if (model.transmission)
       log.line(std::lround(1. / (model.transmission->largest_mesh_frequency() * dt)),
-               " steps a tooth mesh",
+               " steps per tooth mesh",
                model.transmission->has_constant_rate() ? "" : " at the largest speed");
     // What the mesh would allow without its worst elements: whether a few of them cost all the
     // time.
     const auto without = [&](const int n) { return 1e9 * vfife.stable_step_without(n); };
-    log.line("without the 10 worst ", without(10), " ns, the 100 worst ", without(100), " ns");
+    log.line("without the 10 worst elements it is ",
+             without(10),
+             " ns, without the 100 worst ",
+             without(100),
+             " ns");
     // In the order of the model's pairs.
     const auto penalties = solver.contact().penalties();
     for (std::size_t i = 0; i < penalties.size(); ++i)

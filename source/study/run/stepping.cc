@@ -94,15 +94,14 @@ namespace vfife
     checkpoints_.serialize(common, &own);
     checkpoints_.start_clocks(so_far);
     solver_.divide_step(state_, n_substeps);
-    log_.warning("a step of ",
+    log_.warning("step ",
                  1e9 * state_.dt,
-                 " ns, longer than that of the worst element, came to an end (",
+                 " ns became unstable (",
                  failure,
-                 "): goes on from ",
+                 "); restarting at ",
                  where(state_),
-                 ", with ",
-                 n_substeps,
-                 " steps in the place of one");
+                 " with the step divided by ",
+                 n_substeps);
     return true;
   }
 
@@ -184,6 +183,6 @@ namespace vfife
               duration_text(summary_.run_time),
               checkpoint != nullptr ? " with the time before the checkpoint, " : ", ",
               1e-6 * summary_.element_steps_per_second(),
-              " million element-steps a second");
+              " million element-steps per second");
   }
 } // namespace vfife

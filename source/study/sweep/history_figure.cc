@@ -277,9 +277,8 @@ namespace vfife
                                               FigureValue::largest_size};
     if (table != FigureTable::history && std::count(of_rows.begin(), of_rows.end(), value) == 0)
       throw InputError(section + "/value",
-                       "\"" + word_of(value, figure_value_choices()) + "\" is of a history; of " +
-                         file() +
-                         " there are mean, largest, where largest, smallest, largest size");
+                       "expected mean, largest, where largest, smallest or largest size for " +
+                         file() + ", got \"" + word_of(value, figure_value_choices()) + "\"");
     if (is_over_speed() && from > 0)
       throw InputError(section + "/from", file() + " has speeds and no times");
     if (!reference.empty())

@@ -222,9 +222,9 @@ namespace vfife
     if (base_.empty())
       throw InputError("Sweep/base", "the parameter file of the case is missing");
     if (!is_there(base_))
-      throw InputError("Sweep/base", "there is no file \"" + base_ + "\"");
+      throw InputError("Sweep/base", "file \"" + base_ + "\" does not exist");
     if (parameters_.empty())
-      throw InputError("Sweep/parameters", "there is nothing to vary");
+      throw InputError("Sweep/parameters", "expected at least one parameter, got none");
     check_numerical();
     const Parameter *first = nullptr; // with which the others make a list
     for (const Parameter &parameter : parameters_)
@@ -239,17 +239,17 @@ namespace vfife
         for (const std::string &value : values)
           if (parameter.list_parts(value).size() != entries.size())
             throw InputError(section + "/values",
-                             "\"" + value + "\" is not one value for each of the " +
-                               std::to_string(entries.size()) + " entries, separated by |");
+                             "expected one value for each of the " +
+                               std::to_string(entries.size()) + " entries, separated by |, got \"" +
+                               value + "\"");
         if (is_numerical(parameter))
           continue;
         first               = first == nullptr ? &parameter : first;
         const std::size_t n = first->list_values().size();
         if (combination_ == Combination::list && values.size() != n)
           throw InputError(section + "/values",
-                           std::to_string(values.size()) + " values, but \"" + first->name +
-                             "\" has " + std::to_string(n) +
-                             ": with combination = list there must be as many");
+                           "expected " + std::to_string(n) + " values as for \"" + first->name +
+                             "\" (combination = list), got " + std::to_string(values.size()));
       }
     check_columns();
     for (const std::string &folder : beside_)
@@ -292,11 +292,9 @@ namespace vfife
     for (const std::string &name : names_)
       {
         if (std::count(taken.begin(), taken.end(), name) > 0)
-          throw InputError(
-            "Sweep/parameters",
-            "\"" + name +
-              "\" is a figure of the runs or another parameter, and the "
-              "table sweep.csv has one column of each name: call the parameter otherwise");
+          throw InputError("Sweep/parameters",
+                           "rename the parameter: \"" + name +
+                             "\" is already a column of sweep.csv");
         taken.push_back(name);
       }
     for (const HistoryFigure &figure : figures_)
@@ -308,8 +306,8 @@ namespace vfife
           {
             if (std::count(taken.begin(), taken.end(), figure.name + ending) > 0)
               throw InputError(section,
-                               "the table has another column \"" + figure.name + ending +
-                                 "\": the figure needs another name");
+                               "rename the figure: \"" + figure.name + ending +
+                                 "\" is already a column of sweep.csv");
             taken.push_back(figure.name + ending);
           }
       }

@@ -37,20 +37,20 @@ namespace vfife
         const std::size_t         n       = parameter.list_values().size();
         const std::vector<double> sizes   = parameter.list_sizes();
         if (is_numerical(parameter) && n < 2)
-          throw InputError(section + "/values",
-                           "a numerical parameter needs two values at least, three for an order");
+          throw InputError(
+            section + "/values",
+            "expected at least two values of a numerical parameter (three for an order)");
         if (sizes.empty())
           continue;
         if (!is_numerical(parameter))
           throw InputError(section + "/sizes",
-                           "sizes are of parameters that Sweep/error by names, and \"" +
-                             parameter.name + "\" is not among them");
+                           "requires \"" + parameter.name + "\" in Sweep/error by");
         const bool falls =
           std::adjacent_find(sizes.begin(), sizes.end(), std::less_equal<>()) == sizes.end();
         if (sizes.size() != n || !falls || !(sizes.back() > 0))
           throw InputError(section + "/sizes",
                            "\"" + parameter.sizes + "\" must be " + std::to_string(n) +
-                             " positive numbers that fall, one for each value");
+                             " decreasing positive numbers, one for each value");
       }
   }
 

@@ -248,7 +248,7 @@ namespace vfife
       }
     // Only now, with all tables written, is an interruption or a failure passed on.
     if (stops)
-      throw Interrupted("the sweep is stopped; to go on: the same command with --restart");
+      throw Interrupted("the sweep is stopped. Run the same command with --restart to continue");
     if (pictures_)
       draw_pictures(folder, log);
     const auto n_failed =

@@ -22,7 +22,7 @@ namespace vfife
     const Eigen::Index n = speeds.size(), m = others.size();
     if (n < 3 + (m > 0 ? 1 + m : 0) || amplitudes.size() != speeds.size())
       throw NumericalError(
-        "a resonance curve needs at least three speeds, and beside m others 4 + m");
+        "a resonance curve requires at least three speeds, and 4 + m alongside m others");
     // Speeds from their middle in parts of their range: the columns are of one size.
     const auto [least, largest] = std::minmax_element(speeds.begin(), speeds.end());
     const double middle = .5 * (*least + *largest), range = *largest - *least;

@@ -77,8 +77,8 @@ namespace vfife
     void require_samples(const Table &table, const std::size_t n)
     {
       if (table.n_rows() != n)
-        throw InputError("it has " + std::to_string(table.n_rows()) + " samples, and " +
-                         std::to_string(n) + " are needed");
+        throw InputError("expected " + std::to_string(n) + " samples, got " +
+                         std::to_string(table.n_rows()));
     }
   } // namespace
 
@@ -135,7 +135,8 @@ namespace vfife
     const CaseReport report = runner_.do_case(line, resumes_, ranks);
     log_.line(name, " ", report.describe());
     if (report.outcome == Outcome::interrupted)
-      throw Interrupted("the study of waves is stopped; to go on: the same command with --restart");
+      throw Interrupted(
+        "the study of waves is stopped. Run the same command with --restart to continue");
     if (report.outcome == Outcome::failed)
       throw NumericalError(name + " has failed: " + report.message);
 

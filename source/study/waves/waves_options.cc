@@ -101,11 +101,11 @@ namespace vfife
       {
         parts.push_back(parse_quantity(text, "-"));
         if (!(std::abs(parts.back()) <= largest_offset))
-          throw InputError("\"" + text + "\": at most 50 % to either side");
+          throw InputError("expected at most 50 % to either side, got \"" + text + "\"");
       }
     std::sort(parts.begin(), parts.end());
     if (std::adjacent_find(parts.begin(), parts.end()) != parts.end())
-      throw InputError("an offset stands there twice");
+      throw InputError("duplicate offset");
     return parts;
   }
 
@@ -124,15 +124,14 @@ namespace vfife
     if (!(highest_speed > 0))
       throw InputError(
         section + "/highest speed",
-        "expected a speed above 0, got 0; set the range of speeds in which waves are "
-        "looked for");
+        "expected a speed above 0, got 0. Set the range of speeds of the search for waves");
     if (!(highest_speed > lowest_speed))
-      throw InputError(section + "/lowest speed",
-                       "expected a speed below highest speed; waves are met between both");
+      throw InputError(section + "/lowest speed", "must be below highest speed");
     if (read("diameters", [this] { return diameter_numbers(); }).empty())
-      throw InputError(section + "/diameters", "at least one number of nodal diameters");
+      throw InputError(section + "/diameters",
+                       "expected at least one number of nodal diameters, got none");
     if (read("offsets", [this] { return offset_parts(); }).size() < 3)
       throw InputError(section + "/offsets",
-                       "a resonance curve needs at least three speeds, as -1 %, 0 %, 1 %");
+                       "expected at least three offsets, such as -1 %, 0 %, 1 %");
   }
 } // namespace vfife

@@ -76,14 +76,12 @@ namespace vfife
         const RecordedTeeth teeth = fillets_.teeth;
         if (!fillets_.gauges.empty() ||
             (teeth != RecordedTeeth::none && teeth != RecordedTeeth::all))
-          throw InputError("Fillets/teeth",
-                           "stresses of waves are those of all teeth: none or all, and no gauges");
+          throw InputError("Fillets/teeth", "expected none or all, without gauges");
         if (!(dynamics_.mass_damping() > 0))
-          throw InputError("Dynamics/damping",
-                           "waves without damping grow for ever where a mesh order meets them");
+          throw InputError("Dynamics/damping", "damping must be positive");
         if (dynamics_.damping_rate != DampingRate::momentum)
           throw InputError("Dynamics/damping rate",
-                           "modes are damped relative to the momentum's rate of the body");
+                           "must be momentum, because modes are damped relative to this rate");
         if (drives_runs())
           check_run();
       }
@@ -99,21 +97,19 @@ namespace vfife
                  " Hz");
         gear_case_.report_checks({&model, &dynamics_, &output_}, log);
         if (drives_runs())
-          log.line("each line: ",
-                   options_.offsets.size(),
-                   " runs of ",
-                   reduced_.settling_meshes + reduced_.counted_meshes,
-                   " tooth meshes or more; what a run takes is said by --check with Study/kind = "
-                   "run");
+          log.line(
+            "each line: ",
+            options_.offsets.size(),
+            " runs of ",
+            reduced_.settling_meshes + reduced_.counted_meshes,
+            " tooth meshes or more. For the time of one run use --check with Study/kind = run");
       }
 
       std::size_t
       resume(const std::string &, const DeclaredSection &, const Communicator &, Log &) override
       {
         if (!drives_runs())
-          throw InputError("Waves/solver",
-                           "what goes on are the runs of solver = run; there is nothing else to go "
-                           "on with");
+          throw InputError("Waves/solver", "--restart is available only with Waves/solver = run");
         resumes_ = true;
         return std::numeric_limits<std::size_t>::max(); // each run is looked at by itself
       }
@@ -186,12 +182,12 @@ namespace vfife
     void WavesStudy::check_run() const
     {
       if (dynamics_.start != Start::static_preload)
-        throw InputError("Dynamics/start", "runs that drive waves start from their static preload");
+        throw InputError("Dynamics/start", "must be static preload for runs that excite waves");
       // Before hours of runs, not behind them.
       constexpr unsigned int least = 8;
       if (reduced_.settling_meshes + reduced_.counted_meshes < least)
         throw InputError("Reduced/settling meshes",
-                         "a build-up needs at least eight tooth meshes, settling and counted ones");
+                         "expected at least eight settling and counted tooth meshes");
       runner_.read(WaveRuns::command_line(own_,
                                           options_.highest_speed,
                                           reduced_.settling_meshes + reduced_.counted_meshes,
@@ -204,8 +200,7 @@ namespace vfife
       for (const unsigned int n : options_.diameter_numbers())
         if (n > most)
           throw InputError("Waves/diameters",
-                           "waves of the rim are measured up to " + std::to_string(most) +
-                             " nodal diameters");
+                           "expected at most " + std::to_string(most) + " nodal diameters");
     }
 
     void WavesStudy::require_waves(const ReducedBody &body) const
@@ -343,7 +338,7 @@ namespace vfife
           lines   = tools.theory.find_lines(dynamics_.mass_damping());
           nearest = tools.theory.find_nearest(gear_case_.operation().speed);
           if (lines.empty())
-            log.line("no mesh order meets one of these waves between these speeds");
+            log.line("no mesh order excites one of these waves between these speeds");
           for (const WaveLine &line : lines)
             log_wave_line(line, log);
           if (options_.driven)

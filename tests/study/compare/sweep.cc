@@ -166,7 +166,7 @@ int main()
         history("all/run_01").size() > 1000 && history("all/run_01") != history("all/run_02"));
   const std::string json = read_text("all/sweep.json");
   check("sweep.json has the failure",
-        json.find("\"message\": \"runaway penetration") != std::string::npos);
+        json.find("\"message\": \"penetration exceeds the limit") != std::string::npos);
 
   const vfife::Table table         = vfife::read_result_table("all/sweep.csv");
   const auto         numbers       = [&table](const char *name) { return table.numbers(name); };
@@ -217,7 +217,7 @@ int main()
   check("is said",
         log.find("run_01 finished: was finished before") != std::string::npos &&
           log.find("run_02 finished\n") != std::string::npos &&
-          log.find("run_03 finished: went on from a checkpoint") != std::string::npos);
+          log.find("run_03 finished: continued from a checkpoint") != std::string::npos);
 
   // Results of a version that did not know the bound of the assembly, which is the default now, are
   // those of another bound.

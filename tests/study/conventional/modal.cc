@@ -255,6 +255,7 @@ int main(int argc, char **argv)
   const std::string unlike = refusal("flywheel");
   check("bodies are listed where none is alike",
         unlike.find("did you mean") == std::string::npos &&
-          unlike.find("there is no body \"flywheel\" (bodies: pinion, gear)") != std::string::npos);
+          unlike.find("expected a body, got \"flywheel\" (bodies: pinion, gear)") !=
+            std::string::npos);
   return 0;
 }

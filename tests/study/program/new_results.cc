@@ -191,7 +191,7 @@ int main(int argc, char **argv)
   check("another kind", run("linear static", quiet, session.world()) == "done");
   check("the folder has its results alone", is_of_one_study(static_files));
   check("it says so",
-        read_text(folder + "/run.log").find("results of an earlier study are put away in") !=
+        read_text(folder + "/run.log").find("results of an earlier study are moved to") !=
           std::string::npos);
   check("files of the user are where they were", has_own_files());
   check("modes, report and pictures are put away",

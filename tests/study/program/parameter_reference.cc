@@ -3,7 +3,9 @@
 // build/release/vfife --parameter-reference > doc/parameter_reference.md
 #include "../../tests.h"
 
+#include <vfife/base/process/command_line.h>
 #include <vfife/study/parameter_reference.h>
+#include <vfife/study/study_kinds.h>
 
 #include <fstream>
 #include <iostream>
@@ -28,5 +30,8 @@ int main()
               << "\nthe program declares: " << expected << "\n";
   check("the page has all sections", number > 300);
   check("the page is what the program declares", same);
+  const std::string help = vfife::help_text();
+  for (const auto &kind : vfife::study_kinds())
+    check("--help has the kind " + kind.first, help.find(kind.first) != std::string::npos);
   return 0;
 }

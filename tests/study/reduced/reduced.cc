@@ -435,8 +435,8 @@ namespace
     };
     const Columns     steady = turn("steady", "until steady", false);
     const std::string log    = read_text("steady/run.log");
-    check("not steady after 6 tooth meshes: goes on to 9",
-          log.find("not steady after 6 tooth meshes: goes on to 9") != std::string::npos);
+    check("not steady after 6 tooth meshes: the run continues to 9",
+          log.find("not steady after 6 tooth meshes: the run continues to 9") != std::string::npos);
     const auto part = read_summary("steady").at("steady part");
     const bool is_steady =
       part.at("found").get<bool>() && part.at("ripple").at("steady").get<bool>();

@@ -424,7 +424,7 @@ end
     log << file.rdbuf();
     check("one was finished, one has gone on from its checkpoint",
           log.str().find("line_1_speed_1 finished: was finished before") != std::string::npos &&
-            log.str().find("line_1_speed_2 finished: went on from a checkpoint") !=
+            log.str().find("line_1_speed_2 finished: continued from a checkpoint") !=
               std::string::npos);
   }
 

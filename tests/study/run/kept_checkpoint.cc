@@ -131,7 +131,7 @@ namespace
     forge_entries("kept");
     const std::string said = go_on("kept", {}, world);
     check("the kept checkpoint is of a step on the way",
-          line_with(said, "goes on from").find(", step 150") != std::string::npos);
+          line_with(said, "continues from").find(", step 150") != std::string::npos);
     const Table whole = read_result_table("whole/history.csv"),
                 parts = read_result_table("kept/history.csv");
     // From the sample after the checkpoint on: earlier ones are those that it holds.
@@ -174,7 +174,8 @@ namespace
     // Refused first: the run that is not would write its own checkpoint.
     std::cout << go_on("younger", {younger + "=0.25"}, world) << std::endl;
     std::cout << go_on("younger", {"Model/Contact face/integration=implicit"}, world) << std::endl;
-    std::cout << line_with(go_on("younger", {}, world), "not known when") << std::endl;
+    std::cout << line_with(go_on("younger", {}, world), "the version of the start did not have")
+              << std::endl;
     check("younger entry: same digits",
           read_text("younger/history.csv") == read_text("kept/history.csv"));
   }
@@ -192,7 +193,7 @@ namespace
       state.replace(state.find("set parameters"), 14, "set_parameters");
     });
     std::cout << go_on("older", {}, world) << std::endl;
-    std::cout << line_with(go_on("gone", {}, world), "not known now") << std::endl;
+    std::cout << line_with(go_on("gone", {}, world), "at the start that this version") << std::endl;
     check("entry at its default: same digits",
           read_text("gone/history.csv") == read_text("kept/history.csv"));
   }

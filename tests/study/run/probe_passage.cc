@@ -165,7 +165,7 @@ namespace
     std::stringstream log;
     log << file.rdbuf();
     check("ramp: the log says when",
-          log.str().find("node A back: passes the mesh after") != std::string::npos);
+          log.str().find("node A back: passes the contact after") != std::string::npos);
   }
 
   /** The same sectors on one rank and on two. */

@@ -106,7 +106,7 @@ namespace
     check("stopped: exit code", ending.exit_code == 3);
     check("stopped: message",
           ending.text.find("\nvfife: stopped as asked at time ") != std::string::npos &&
-            ending.text.find("after a checkpoint; to go on: vfife --restart \"stopped\"") !=
+            ending.text.find("after a checkpoint; to continue: vfife --restart \"stopped\"") !=
               std::string::npos);
     check("goes on", run_program(command("stopped", {"--restart"})).exit_code == 0);
     check("after a signal: the same digits", same_files("whole", "stopped"));
@@ -129,8 +129,9 @@ namespace
     const Ending      ending = run_program({program, pair, "-o", "early"}, begun, SIGINT);
     check("stopped in the equilibrium: ended by the signal", ending.exit_code == -1);
     check("stopped in the equilibrium: message",
-          ending.text.find("\nvfife: stopped before the first step or between runs: no checkpoint "
-                           "to go on from\n") != std::string::npos &&
+          ending.text.find(
+            "\nvfife: stopped before the first step or between runs; no checkpoint exists\n") !=
+              std::string::npos &&
             !fs::exists("early/checkpoint.bin"));
   }
 
@@ -164,8 +165,8 @@ namespace
     check("damaged: the one before", ending.exit_code == 0 && same_files("whole", "killed"));
     const std::string log = read_text("killed/run.log");
     check("damaged: is said",
-          log.find("the checkpoint before is taken") != std::string::npos &&
-            log.find("goes on from \"killed/checkpoint.previous.bin\"") != std::string::npos);
+          log.find("the program uses the previous checkpoint") != std::string::npos &&
+            log.find("continues from \"killed/checkpoint.previous.bin\"") != std::string::npos);
     for (const char *name : {"checkpoint.bin", "checkpoint.previous.bin"})
       {
         std::fstream file(std::string("parts/") + name, std::ios::in | std::ios::out);

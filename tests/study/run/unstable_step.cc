@@ -107,7 +107,7 @@ int main(int argc, char **argv)
     std::cerr << mended.warnings[0] << std::endl;
   const std::string text = mended.warnings.empty() ? "" : mended.warnings[0];
   check("mended: not from the beginning",
-        text.find("goes on from") != std::string::npos &&
+        text.find("restarting at ") != std::string::npos &&
           text.find("step 0,") == std::string::npos);
 
   const auto &time = mended.history.at("time");

@@ -2,6 +2,8 @@
 #ifndef vfife_base_process_log_h
 #define vfife_base_process_log_h
 
+#include <vfife/base/text/figure_text.h>
+
 #include <iosfwd>
 #include <sstream>
 #include <string>
@@ -25,6 +27,8 @@ namespace vfife
   class Log
   {
   public:
+    static constexpr int n_digits = 4;
+
     /** A warning and how often it was given. */
     struct Warning
     {
@@ -50,7 +54,8 @@ namespace vfife
     /** Stops writing to the file. */
     void stop_file();
 
-    /** Says a line made of all arguments, as they would be written to a stream. */
+    /** Says a line made of all arguments, as they would be written to a stream; numbers have
+     * n_digits significant digits. */
     template <typename... Parts>
     void line(const Parts &...parts)
     {
@@ -88,6 +93,7 @@ namespace vfife
     static std::string text_of(const Parts &...parts)
     {
       std::ostringstream text;
+      set_figure_digits(text, n_digits);
       (text << ... << parts);
       return text.str();
     }

@@ -154,7 +154,7 @@ namespace vfife
       std::size_t n = values.size();
       pass(n);
       require(n == values.size(),
-              std::to_string(n) + " values where " + std::to_string(values.size()) + " belong");
+              std::to_string(n) + " values, expected " + std::to_string(values.size()));
       for (Value &value : values)
         pass(value);
     }

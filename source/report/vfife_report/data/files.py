@@ -17,7 +17,7 @@ def read_text(path):
     except UnicodeDecodeError as error:
         line = content.count(b"\n", 0, error.start) + 1
         column = error.start - content.rfind(b"\n", 0, error.start)
-        raise DamagedFile(f"{path}:{line}:{column}: byte 0x{content[error.start]:02X} is no text in UTF-8") from error
+        raise DamagedFile(f"{path}:{line}:{column}: byte 0x{content[error.start]:02X} is not UTF-8 text") from error
 
 
 def read_json(path, shape):

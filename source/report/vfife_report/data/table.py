@@ -48,7 +48,7 @@ class Table:
             try:
                 numbers[row] = float(cell)
             except ValueError:
-                raise DamagedFile(f'{self.path}:{self.lines[row]}: "{cell[:40]}" in column "{name}" is no number') from None
+                raise DamagedFile(f'{self.path}:{self.lines[row]}: expected a number in column "{name}", got "{cell[:40]}"') from None
             if abs(numbers[row]) > LARGEST:
                 raise DamagedFile(f'{self.path}:{self.lines[row]}: {cell[:40]} in column "{name}" is too large')
         return numbers

@@ -47,9 +47,9 @@ def list_checks(run):
         yield "contact pressure (Hertz)", f"{pressure:.0f} MPa", f"{allowed:.0f} MPa", judge(pressure <= allowed)
     if run.edge_contact:
         carry = run.edge_contact["edges carry"]
-        yield "contact inside the flanks", "edges carry" if carry else "no edges carry", "no edges carry", judge(not carry)
+        yield "contact inside the flanks", "edge contact" if carry else "no edge contact", "no edge contact", judge(not carry)
     elif run.teeth is not None and name_driven(run.parameters) == "pinion":
-        yield "contact inside the flanks", "where a gear drives it is not told", "no edges carry", "not judged"
+        yield "contact inside the flanks", "not available for a driving gear", "no edge contact", "not judged"
     taken = summary.get("energy", {}).get("taken by the mesh damping from the swing")
     if taken and taken["value"] is not None and describe_pair(run.parameters):
         yield "mesh damping: energy taken from the swing", f"{taken['value']:.3g} mJ", "not negative", judge(taken["value"] >= 0)

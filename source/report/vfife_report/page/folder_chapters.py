@@ -96,12 +96,12 @@ def tell_unloaded_contact(run, plots):
                         "followed for half a pitch at most.")
     for side in SIDES:
         if side not in analysis:
-            yield Paragraph(f"On the {side} side the flanks touch nowhere inside their borders, where the members stand; edges "
-                            "alone may carry.", "alarm")
+            yield Paragraph(f"On the {side} side the flanks have no contact inside their borders for the given mounting; only "
+                            "edge contact is possible.", "alarm")
         elif not analysis[side]["hands over"]:
-            yield Paragraph(f"On the {side} side neither flanks nor edges carry until the next tooth pair takes over.", "alarm")
+            yield Paragraph(f"On the {side} side contact is interrupted before the next tooth pair engages.", "alarm")
         elif not analysis[side]["hands over inside the flanks"]:
-            yield Paragraph(f"On the {side} side the path of contact ends before the next tooth pair takes over; an edge carries there.",
+            yield Paragraph(f"On the {side} side the path of contact ends before the next tooth pair engages; there an edge is in contact.",
                             "alarm")
     yield Cells(["teeth that differ", "value", "unit"], list_values(analysis.get("unequal teeth", {})),
                 "Transmission error without load of teeth with their errors, one after the other; all other figures are of the errors "

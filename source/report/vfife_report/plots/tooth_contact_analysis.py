@@ -115,7 +115,7 @@ def draw_tooth_contact_analysis(run):
         else:
             grid[0][column].set_axis_off()
             grid[1][column].set_axis_off()
-            grid[0][column].text(0.5, 0.5, "flanks touch nowhere inside their borders", ha="center", va="center",
+            grid[0][column].text(0.5, 0.5, "no contact inside the flanks", ha="center", va="center",
                                  transform=grid[0][column].transAxes)
         plot_ease_off(grid[2][column], ease_off)
     return plot

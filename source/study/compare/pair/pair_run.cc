@@ -27,9 +27,9 @@ namespace vfife
     , is_ripple_unsteady_(summary(summary_place::is_ripple_steady) == 0)
   {
     if (!(mesh_frequency > 0))
-      throw InputError("the case \"" + run.name +
-                       "\" cannot be compared: its run states no mesh frequency, as one whose "
-                       "speed changes");
+      throw InputError(
+        "the case \"" + run.name +
+        "\" cannot be compared: its run has no mesh frequency, because its speed changes");
   }
 
   double PairRun::steady_mean(const std::string &column) const
