@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Hertz's approach by the penalty that general models have by default, 5 E*/h of facets of width h,
 // over the width of the contact: within 3 %, or as far off as a warning says. Two spheres whose
-// meshes match or not; a cylinder on a block against a fine mesh of the same blocks.
+// meshes match or not; a cylinder on a block against a fine mesh of the same blocks; a flat punch.
 #include "../tests.h"
 #include "pressed_blocks.h"
 
@@ -51,6 +51,39 @@ namespace
         }
   }
 
+  /** A square punch of half-width 1 mm and of this height on a large block. Rigid contact of the
+   * same meshes has 76.96, 76.74 and 76.63 N with 6, 8 and 10 facets in the half-width: the limit
+   * of first order is the reference. */
+  void punches()
+  {
+    constexpr double limit = 76.13;           // [N], of a quarter
+    for (const double other : {.8, 1., 1.25}) // cells of the block
+      for (const unsigned int n : {1, 2, 3})
+        {
+          const double h = 1. / n;
+          ElasticBlock punch;
+          for (unsigned int i = 0; i <= n; ++i)
+            punch.x.push_back(i * h);
+          punch.y = punch.depth = punch.x;
+          punch.radius          = 0.;
+          punch.into            = 1.;
+          punch.reach           = 2.;
+          punch.plane_strain    = false;
+          punch.free_sides      = true;
+          punch.material        = soft_material();
+          punch.build();
+          const ElasticBlock low = round_body(false, 0., -1., other * h, 8., 1.5);
+          const Pressed      pressed(punch,
+                                low,
+                                default_options(h, ContactSurfaceKind::flat_facets),
+                                .01);
+          check_below("punch: force at the approach, within what is said",
+                      std::abs(pressed.force / limit - 1.) /
+                        std::max(.03, ContactResolution(ContactPair(), 2., h).find_punch_error()),
+                      1.);
+        }
+  }
+
   Pressed press_line(const double h, const ContactSurfaceKind surface)
   {
     static std::vector<std::unique_ptr<ElasticBlock>> kept; // Pressed refers to them
@@ -82,5 +115,6 @@ int main()
       spheres(surface);
       lines(surface);
     }
+  punches();
   return 0;
 }

@@ -44,6 +44,7 @@ namespace test_surfaces
     std::vector<double> x, y, depth;
     double              radius, into, reach;
     bool                plane_strain;
+    bool                free_sides = false; ///< the last x and y are free, not far surfaces
     Material            material;
 
     std::vector<Vector3>      nodes;
@@ -122,7 +123,8 @@ namespace test_surfaces
     {
       const unsigned int nx = x.size(), i = n % nx, j = (n / nx) % y.size(),
                          k = n / (nx * y.size());
-      if (i + 1 == nx || (j + 1 == y.size() && !plane_strain) || k + 1 == depth.size())
+      if (k + 1 == depth.size() ||
+          (!free_sides && (i + 1 == nx || (j + 1 == y.size() && !plane_strain))))
         return 2;
       return (component == 0 && i == 0) || (component == 1 && (j == 0 || plane_strain)) ? 1 : 0;
     }
@@ -137,7 +139,7 @@ namespace test_surfaces
         for (unsigned int c = 0; c < 3; ++c)
           if (support(a, c) == 0)
             unknown[3 * a + c] = n++;
-          else if (support(a, c) == 2 && !plane_strain)
+          else if (support(a, c) == 2 && !plane_strain && !free_sides)
             far[a][c] = half_space(nodes[a])[c];
       Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
 

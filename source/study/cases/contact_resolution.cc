@@ -30,6 +30,9 @@ namespace vfife
     constexpr double flat_error = .32, patch_error = .1;
     /** Of the approach over that ratio: of the springs alone. */
     constexpr double spring_error = .1;
+    /** Of the approach of a flat punch, at most: coarse meshes are too stiff at its edges, springs
+     * too soft. */
+    constexpr double punch_error = .055;
   } // namespace
 
   ContactResolution::ContactResolution(const Model       &model,
@@ -61,15 +64,20 @@ namespace vfife
     return ratio > 1. ? patch_error * ratio : 0.;
   }
 
+  double ContactResolution::find_punch_error() const
+  {
+    return std::min(punch_error, spring_error * facet / (.5 * width));
+  }
+
   std::string ContactResolution::describe_error(const std::string &contact,
-                                                const double       error) const
+                                                const double       error,
+                                                const std::string &remedy) const
   {
     std::ostringstream text;
     set_figure_digits(text, 2);
     text << contact << " is " << width << " mm wide, the facets of its slave " << facet
-         << " mm: its approach is off by up to " << 100. * error
-         << " %. Refine the facets to a quarter of that width with flat facets, to a half with "
-            "smooth patches";
+         << " mm: its approach is off by up to " << 100. * error << " %. Refine the facets to "
+         << remedy;
     return text.str();
   }
 

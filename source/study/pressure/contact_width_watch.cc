@@ -7,6 +7,7 @@
 #include <vfife/study/pressure/contact_width_watch.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vfife
 {
@@ -16,6 +17,8 @@ namespace vfife
     constexpr double largest_error = 0.03;
     /** Part of a surface from which on a contact fills it. */
     constexpr double filled = 0.9;
+    /** Area of the other surface over it from which on it is a punch. */
+    constexpr double beside = 1.5;
   } // namespace
 
   ContactWidthWatch::ContactWidthWatch(const OutputFolder &,
@@ -63,19 +66,28 @@ namespace vfife
         const auto         area_of = [&](const unsigned int body, const std::string &surface) {
           return compute_area(model.bodies[body].mesh().surfaces.at(surface));
         };
-        const double whole = std::min(area_of(pair.slave_body, pair.slave_surface),
-                                      area_of(pair.master_body, pair.master_surface));
-        if (!(largest_[i].force > 0) || largest_[i].area > filled * whole)
+        const double slave  = area_of(pair.slave_body, pair.slave_surface),
+                     master = area_of(pair.master_body, pair.master_surface),
+                     whole  = std::min(slave, master);
+        // A punch on a larger surface; surfaces that are alike make a column, not a contact.
+        const bool fills = largest_[i].area > filled * whole;
+        if (!(largest_[i].force > 0) || (fills && std::max(slave, master) < beside * whole))
           continue;
-        ContactResolution seen(model, pair, largest_[i].width);
+        const double      width = fills ? std::sqrt(whole) : largest_[i].width;
+        ContactResolution seen(model, pair, width);
         if (facets_[i] > 0.)
-          seen = ContactResolution(pair, largest_[i].width, facets_[i]);
-        const std::string name  = "contact " + pair.side;
-        const double      error = seen.find_approach_error(pair.options.surface);
+          seen = ContactResolution(pair, width, facets_[i]);
+        const std::string name = "contact " + pair.side;
+        const double      error =
+          fills ? seen.find_punch_error() : seen.find_approach_error(pair.options.surface);
         if (seen.has_single_points())
           log_.warning(seen.describe_points(name));
         else if (error > largest_error)
-          log_.warning(seen.describe_error(name, error));
+          log_.warning(seen.describe_error(
+            name,
+            error,
+            fills ? "a seventh of that width"
+                  : "a quarter of that width with flat facets, to a half with smooth patches"));
       }
   }
 } // namespace vfife

@@ -38,9 +38,12 @@ namespace vfife
     /** Largest error of the approach of two bodies, over it, by facets of this width with the
      * penalty of general models: tests/contact/default_penalty has it for spheres and cylinders. */
     double find_approach_error(ContactSurfaceKind surface) const;
+    /** The same of a flat punch, whose width is that of the contact. */
+    double find_punch_error() const;
 
-    /** The same in words, with what mends it. */
-    std::string describe_error(const std::string &contact, double error) const;
+    /** An error in words; @p remedy: the facets that are fine enough. */
+    std::string
+    describe_error(const std::string &contact, double error, const std::string &remedy) const;
   };
 
   /** Area of a surface's undeformed facets [mm^2]. */
