@@ -216,7 +216,7 @@ namespace
       {
         message = error.what();
       }
-    const bool told = message.find("bearings let the flanks move by ") != std::string::npos;
+    const bool told = message.find("bearings displace the flanks by ") != std::string::npos;
     check("too soft bearings are told", told);
     if (!told)
       std::cout << message << std::endl;
