@@ -30,7 +30,7 @@ class Seeds:
             "bars": (str(ROOT / "prm/verification/two_bars.prm"), SMALL, 12, 20),
             "pair": (str(ROOT / "prm/spiral_bevel_quick.prm"), PAIR, 4, 6)}
         for name, (case, more, first, _) in self.cases.items():
-            runner.make_seed(folder, case, "-o", name, *more, *QUIET, "--set", f"{STEPS}{first}")
+            runner.run_good(folder, case, "-o", name, *more, *QUIET, "--set", f"{STEPS}{first}")
 
     @staticmethod
     def find_state(content):

@@ -118,8 +118,8 @@ class Seeds:
             # The blocks themselves must be good: a mutant of a bad file shows little.
             (folder / name).write_bytes(self.small[name])
             (folder / "case.prm").write_text(CASE.format(file=name))
-            runner.make_seed(folder, "case.prm", "--check")
-        runner.make_seed(folder, str(ROOT / "prm/spiral_bevel_mesh.prm"), "-o", "gears", *SMALL_GEAR)
+            runner.run_good(folder, "case.prm", "--check")
+        runner.run_good(folder, str(ROOT / "prm/spiral_bevel_mesh.prm"), "-o", "gears", *SMALL_GEAR)
         self.large = {path.name: path.read_bytes() for path in sorted((ROOT / "meshes").glob("*.msh"))}
         self.large.update({path.name: path.read_bytes() for path in sorted((folder / "gears").glob("pinion.*"))
                            if path.suffix in (".msh", ".inp")})

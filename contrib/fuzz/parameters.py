@@ -42,10 +42,10 @@ class Seeds:
         self.files = [name for name in paths if name not in LARGE]
         self.entries, self.runner, self.in_force = read_entries(), runner, {}
 
-    def entries_in_force(self, name):
+    def entries_in_force(self, name, folder):
         """All entries that a file's study knows, with their values."""
         if name not in self.in_force:
-            printed = self.runner.print_parameters(ROOT / name)
+            printed = self.runner.print_parameters(ROOT / name, folder)
             sections, entries = [], []
             for line in printed.splitlines():
                 words = line.split("#")[0].strip()
@@ -59,11 +59,11 @@ class Seeds:
             self.in_force[name] = entries
         return self.in_force[name]
 
-    def make_overrides(self, rng, name):
+    def make_overrides(self, rng, name, folder):
         """One to three entries with values of their own kind, which are out of any reason."""
         overrides = []
         for _ in range(pick(rng, [1, 1, 1, 2, 3])):
-            entry, value = pick(rng, self.entries_in_force(name))
+            entry, value = pick(rng, self.entries_in_force(name, folder))
             changed = change_number(rng, value)
             if changed == value:
                 changed = self.random_value(rng, value, "")
@@ -153,7 +153,7 @@ class Seeds:
                 target.symlink_to(path)
         (folder / "meshes").symlink_to(ROOT / "meshes")
         if rng.random() < 0.5:
-            overrides = self.make_overrides(rng, main)
+            overrides = self.make_overrides(rng, main, folder)
             return Job(folder, [main, "--check", *(f"--set={one}" for one in overrides)], f"{main}: {overrides}")
         name = main if rng.random() < 0.8 else pick(rng, names)
         content, notes = (folder / name).read_bytes(), []

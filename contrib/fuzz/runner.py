@@ -4,9 +4,10 @@ import os
 import resource
 import signal
 import subprocess
+import threading
 from pathlib import Path
 
-from job import ROOT, Ending
+from job import ROOT, Ending, Job
 
 ENVIRONMENT = {
     "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_hwloc_base_binding_policy": "none",
@@ -29,11 +30,13 @@ class Server:
     def __init__(self, command):
         self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
                                         env={**os.environ, **ENVIRONMENT})
+        self.lock = threading.Lock()
 
     def run(self, limits, folder, output, errors, arguments):
-        self.process.stdin.write(" ".join([*map(str, limits), *map(digits, (folder, output, errors, *arguments))]) + "\n")
-        self.process.stdin.flush()
-        words = self.process.stdout.readline().split()
+        with self.lock:  # workers share the server of good input
+            self.process.stdin.write(" ".join([*map(str, limits), *map(digits, (folder, output, errors, *arguments))]) + "\n")
+            self.process.stdin.flush()
+            words = self.process.stdout.readline().split()
         if len(words) != 2:
             raise RuntimeError(f"the server {self.process.args[0]} has ended")
         return signal.Signals(int(words[1])) if words[0] == "signal" else int(words[1])
@@ -77,19 +80,14 @@ class Runner:
                 process.wait()
         return process.returncode if process.returncode >= 0 else signal.Signals(-process.returncode)
 
-    def print_parameters(self, path):
-        """All parameters in force of a file."""
-        return self.run_good([path, "--print-parameters"])
+    def print_parameters(self, path, folder):
+        """All parameters in force of a file. What is printed is kept beside the folder."""
+        return self.run_good(folder, str(path), "--print-parameters")
 
-    def make_seed(self, folder, *arguments):
-        """Runs the program on good input in a folder: what it writes is mutated later."""
-        self.run_good(arguments, cwd=folder)
-
-    def run_good(self, arguments, **options):
-        """What the program prints of good input, which it must take."""
-        ended = subprocess.run([self.asked.program, *arguments], capture_output=True, text=True,
-                               env={**os.environ, **ENVIRONMENT}, check=False, **options)
-        if ended.returncode != 0:
-            raise RuntimeError(f"{self.asked.program} {' '.join(map(str, arguments))}: exit code {ended.returncode}\n"
-                               f"{ended.stdout}{ended.stderr}")
-        return ended.stdout
+    def run_good(self, folder, *arguments):
+        """Runs the program on good input in a folder, which it must take; what it prints. What it writes is mutated later."""
+        job = Job(folder, arguments, "good input")
+        ended = self.run(job)
+        if ended.code != 0:
+            raise RuntimeError(f"cd {folder} && {job.show(self.asked)}: {ended.describe()}\n{ended.output}{ended.errors}")
+        return ended.output

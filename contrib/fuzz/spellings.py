@@ -253,7 +253,7 @@ class Seeds:
         self.block = meshes.make_block()
         # One answer for all formats: that of the plainest file.
         self.write(folder, "plain.inp", spell_inp(None, inp_blocks(*self.block), 0)[1], "".join(f"{t},{v}\n" for t, v in TABLE))
-        self.figures = figures(runner.run_good(["case.prm"], cwd=folder))
+        self.figures = figures(runner.run_good(folder, "case.prm"))
 
     @staticmethod
     def write(folder, file, text, table):

@@ -60,10 +60,10 @@ class Seeds:
         folder.mkdir()
         self.folder = folder
         (folder / "block.prm").write_text(BLOCK)
-        runner.make_seed(folder, "block.prm", "-o", "rest")
-        runner.make_seed(folder, "block.prm", "-o", "linear", "--set", "Study/kind=linear static")
+        runner.run_good(folder, "block.prm", "-o", "rest")
+        runner.run_good(folder, "block.prm", "-o", "linear", "--set", "Study/kind=linear static")
         (folder / "compare.prm").write_text(COMPARE)
-        runner.make_seed(folder, "compare.prm")
+        runner.run_good(folder, "compare.prm")
 
     def make(self, rng, folder):
         how = rng.randrange(3)
