@@ -350,7 +350,7 @@ namespace
     check("refuses an inverted element", says("inverted.inp", "inverted"));
     check("refuses an unknown node", says("no_node.inp", ":11: node 9 does not exist"));
     check("refuses letters (inp)", says("letters.inp", ":2: expected a number, got \"zero\""));
-    check("refuses an empty file", says("empty.inp", "no hexahedra"));
+    check("refuses an empty file", says("empty.inp", "expected hexahedra, got an empty file"));
     check("refuses letters (msh)", says("letters.msh", "cannot be read"));
     check("refuses tetrahedra (msh)", says("tetrahedra.msh", "hexahedra"));
   }
