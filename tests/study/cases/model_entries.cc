@@ -163,8 +163,8 @@ end
 
     check("regularization velocity: warned of once",
           count_warnings("touch", "\"regularization velocity\" is no longer used") == 1);
-    check("a contact that fills its surface has any width",
-          count_warnings("touch", "mm wide") == 0);
+    check("a punch with coarse facets: warned of",
+          count_warnings("touch", "Refine the facets to a seventh of that width") == 1);
     // A sphere of facets of 4 mm, pressed in until a few points touch.
     press_sphere(world);
     check("a contact narrower than two facets: warned of",
