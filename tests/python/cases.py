@@ -17,7 +17,7 @@ import vfife
 from vfife.program import find_message
 
 BARS = vfife.Case(ROOT / "prm/verification/two_bars.prm").set("Output/pictures", False)
-PAIR = vfife.Case(ROOT / "prm/gear/proposed_17_43.prm")
+PAIR = vfife.Case(ROOT / "prm/gear/proposed_17_43.prm").set("Output/pictures", False)
 PLATE = vfife.Case(ROOT / "prm/verification/plate_with_hole.prm").set("Output/pictures", False)
 
 
@@ -61,7 +61,7 @@ class Runs(Folder):
             ratios.append(result.summary["drive side, contact ratio"])
         self.assertEqual(ratios[0].unit, "-")
         self.assertLess(ratios[0].value + 0.05, ratios[1].value)
-        self.assertEqual(PAIR.settings, {})
+        self.assertEqual(PAIR.settings, {"Output/pictures": "no"})
         self.assertIn("path", result.tables)
         self.assertEqual(set(result.table("path")["side"]), {"drive", "coast"})
 
