@@ -48,7 +48,7 @@ class Notebooks(unittest.TestCase):
         names = run_cells(self, "quieter_pair.py")
         self.assertEqual(names["left"], [])
         self.assertTrue(np.all(np.diff(names["course"]) < 0))
-        # on the file's own mesh, penalty and positions: four steps are needed, after three the ripple is 0.48 of the first
+        # on the file's own mesh, penalty and positions: three steps are needed, after two the ripple is 0.48 of the first
         self.assertLess(names["course"][-1], 0.4 * names["course"][0])
         ripples, ratios = ([figures["drive side, " + name].value for figures in names["unloaded"]]
                            for name in ("peak to peak", "contact ratio"))

@@ -4,6 +4,7 @@ source/report importable; ends with 77 (skipped) without the libraries that it n
 import json
 import sys
 from pathlib import Path
+from unittest import mock
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source" / "report"))
 sys.dont_write_bytecode = True
@@ -18,6 +19,7 @@ except ImportError as error:
 
 from vfife_report.command import main  # noqa: E402
 from vfife_report.data.fields import Fields  # noqa: E402
+from vfife_report.plots.style import plt  # noqa: E402
 
 CORNERS = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0],
                     [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], dtype=float)
@@ -151,3 +153,15 @@ def read_report(folder):
     """The page that is made of a folder."""
     main([str(folder)])
     return (Path(folder) / "report.html").read_text(encoding="utf-8")
+
+
+def write_blank(plot, path):
+    """In place of a picture's rendering, which takes most of a report's time."""
+    path.write_text('<svg xmlns="http://www.w3.org/2000/svg"/>', encoding="utf-8")
+    plt.close(plot)
+
+
+def make_page(folder):
+    """The page with plots that are drawn, but not rendered: for tests of the page's text."""
+    with mock.patch("vfife_report.plots.style.save", write_blank):
+        main([str(folder)])

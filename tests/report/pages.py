@@ -14,7 +14,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 from made_up_run import (  # first: ends the test without the libraries
-    make_parameters, make_summary, quantity, write_parameters, write_run)
+    make_page, make_parameters, make_summary, quantity, write_parameters, write_run)
 
 import vfife_report
 from vfife_report.command import main
@@ -75,7 +75,7 @@ class Pages(unittest.TestCase):
                 write_parameters(Path(name), proposed)
                 if known:
                     (Path(name) / "geometry.json").write_text(json.dumps(geometry))
-                main([name])
+                make_page(name)
                 text = self.read(name)
                 self.assertIn("Spiral bevel gear pair 17/43", text)
                 for wrong in ("right, right", "<td>0 mm</td>", "hand of pinion and gear"):
@@ -186,7 +186,7 @@ class Pages(unittest.TestCase):
                 summary = make_summary()
                 summary["steady part"]["ripple"] = {"judged": True, "steady": steady}
                 (Path(name) / "summary.json").write_text(json.dumps(summary))
-                main([name])
+                make_page(name)
                 text = self.read(name)
                 # Three figures of the ripple in each column: none of the means.
                 marks = re.findall("<td>([^<]*)</td><td[^>]*>[^<]*</td><td>[^<]*</td><td>ripple not steady</td>", text)
@@ -204,7 +204,7 @@ class Pages(unittest.TestCase):
                 summary = make_summary()
                 summary["steady part"]["found"] = found
                 (Path(name) / "summary.json").write_text(json.dumps(summary))
-                main([name])
+                make_page(name)
                 text = self.read(name)
                 self.assertEqual("Of the steady part, largest values" in text, found)
                 self.assertEqual("Of the last third, as no steady part was found, largest values" in text, not found)
@@ -275,7 +275,7 @@ class Pages(unittest.TestCase):
                 (folder / "summary.json").write_text(json.dumps(summary))
                 member = {"hand of spiral": "left", "face width": quantity(27.7, "mm"), "web thickness": quantity(float(web), "mm")}
                 (folder / "geometry.json").write_text(json.dumps({"pair": {}, "pinion": member, "gear": member}))
-            main([name])
+            make_page(name)
             text = self.read(name)
             alike, different = text.index("geometry of all variants"), text.index("Where variants differ")
             self.assertIn("27.7", text[alike:])
@@ -297,7 +297,7 @@ class Pages(unittest.TestCase):
                 write_parameters(folder, {**make_parameters(), "Study/kind": (kind, ""), "Dynamics/damping": (damping, "1/s"),
                                           "Operation/tooth meshes": (meshes, "")})
                 (folder / "report.html").write_text("made by the run")
-            main([name])
+            make_page(name)
             text = self.read(name)
             self.assertIn("<th>damping</th>", text)
             self.assertNotIn("1000 1/s", text)
@@ -390,7 +390,7 @@ class Pages(unittest.TestCase):
         self.assertTrue(all(names and "](" not in text for names, text in read_glossary()))
         with tempfile.TemporaryDirectory() as name:
             write_run(Path(name), fields=False)
-            main([name])
+            make_page(name)
             words = self.read(name).partition(">Words</h2>")[2]
             for word in ("ripple", "contradiction", "energy error"):
                 self.assertIn(f">{word}</td>", words)
