@@ -95,7 +95,8 @@ namespace
     catch (const InputError &error)
       {
         check("eigenvalue tolerance: a loose one is refused for LOBPCG",
-              std::string(error.what()).find("with \"lobpcg\" at most 1e-5") != std::string::npos);
+              std::string(error.what()).find("must be at most 1e-5 with \"lobpcg\"") !=
+                std::string::npos);
       }
   }
 

@@ -229,7 +229,7 @@ namespace
       check(std::string(kind) + ": a load across the axis in spin is refused",
             message_of([&] {
               run_text("refused_load", pushed(kind, "100, 0, 0 N"), world);
-            }).find("\"push\" across it") != std::string::npos);
+            }).find("\"push\" across the axis") != std::string::npos);
     // Along the axis it is the same at all turns.
     const Columns along = run_text("axial_load", pushed("linear static", "0, 0, 100 N"), world);
     check_close("load along the axis: way [um]",

@@ -59,7 +59,7 @@ end
     run_study(line, world, log);
     std::istringstream lines(said.str());
     for (std::string one; std::getline(lines, one);)
-      if (one.find("not read by") != std::string::npos)
+      if (one.find("ignored by this kind") != std::string::npos)
         return one;
     return "all sections are read";
   }

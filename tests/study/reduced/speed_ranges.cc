@@ -220,13 +220,14 @@ namespace
     setup.speeds.n_speeds      = 8;
     const std::string wide     = setup.find_wide_steps(19);
     check("1064 rpm apart: said",
-          wide.find("speeds lie 1064 rpm apart") == 0 &&
+          wide.find("the speeds are 1064 rpm apart") == 0 &&
             wide.find("502.6 rpm with mesh order 1") != std::string::npos &&
             wide.find("Reduced/speeds = 46") != std::string::npos);
     setup.speeds.n_speeds = 46;
     check("46 speeds: nothing is said", setup.find_wide_steps(19).empty());
     setup.damping = 0;
-    check("no damping, no width", setup.find_wide_steps(19).find("no width") != std::string::npos);
+    check("no damping, no width",
+          setup.find_wide_steps(19).find("without damping, which is zero") != std::string::npos);
   }
 
   /** Of an error of 3 cos(2 p) + 0.5 cos(8 p) + 2 cos(12 p) arcsec over the phase p of the mesh. */
