@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Elements divided around surfaces: constant strain, rigid motion, one sector against the body.
+#include "../composite.h"
 #include "../ranks.h"
 #include "../reduced/whole_body.h"
 #include "../refusal.h"
@@ -124,21 +125,14 @@ namespace
    * hangs on points that are led. */
   void stretch(const FemElement element, const Communicator &communicator)
   {
-    constexpr double strain = 1e-3;
-    Model            model  = make_block_model();
-    const auto       hold = [&](const char *side, const unsigned int direction, const double way) {
-      Constraint constraint;
-      constraint.name                    = side;
-      constraint.kind                    = ConstraintKind::directions;
-      constraint.prescribed[direction]   = true;
-      constraint.displacement[direction] = way;
-      constraint.nodes                   = model.bodies[0].node_set(side);
-      model.constraints.push_back(constraint);
-    };
-    hold("x-", 0, 0.);
-    hold("x+", 0, 2. * strain);
-    hold("y-", 1, 0.);
-    hold("z-", 2, 0.);
+    constexpr double strain              = 1e-3;
+    Model            model               = make_block_model();
+    const Body      &body                = model.bodies[0];
+    model.constraints                    = {hold(body.node_set("x-"), {{true, false, false}}),
+                                            hold(body.node_set("x+"), {{true, false, false}}),
+                                            hold(body.node_set("y-"), {{false, true, false}}),
+                                            hold(body.node_set("z-"), {{false, false, true}})};
+    model.constraints[1].displacement[0] = 2. * strain;
     FemOptions options;
     options.element          = element;
     options.linear_solver    = LinearSolverKind::direct;

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Nodes of a surface in contact between which elements have points: linear fields, force and moment
 // of their tractions, and a block under even pressure by forces on its nodes.
+#include "../composite.h"
 #include "../ranks.h"
 #include "../tests.h"
 
@@ -37,13 +38,10 @@ namespace
       for (const auto &[side, direction] :
            {std::pair("x-", 0), std::pair("y-", 1), std::pair(body == 0 ? "z-" : "z+", 2)})
         {
-          Constraint constraint;
-          constraint.name                  = side;
-          constraint.kind                  = ConstraintKind::directions;
-          constraint.body                  = body;
-          constraint.prescribed[direction] = true;
-          constraint.nodes                 = model.bodies[body].node_set(side);
-          model.constraints.push_back(constraint);
+          std::array<bool, 3> directions = {{false, false, false}};
+          directions[direction]          = true;
+          model.constraints.push_back(hold(model.bodies[body].node_set(side), directions));
+          model.constraints.back().body = body;
         }
     return model;
   }

@@ -109,16 +109,17 @@ namespace vfife
     const Body                                     &body   = space_.model().bodies[bodies_[side]];
     const FemSpace::Part                           &part   = *space_.find_part(bodies_[side]);
     std::set<std::pair<unsigned int, unsigned int>> on_edges; // nodes of the body
-    std::vector<unsigned int>                       nodes;
     for (std::size_t f = 0; f < facets.facets.size(); ++f)
-      for (unsigned int k = 0; k < 4 && facets.group[f] == group; ++k)
-        {
-          const unsigned int a = facets.nodes[facets.facets[f][k]],
-                             b = facets.nodes[facets.facets[f][(k + 1) % 4]];
-          nodes.push_back(a);
-          if (edge_number(facets, f, k) != 0) // tip, toe and heel
+      for (unsigned int k = 0; k < 4; ++k)
+        if (facets.group[f] == group && edge_number(facets, f, k) != 0) // tip, toe and heel
+          {
+            const unsigned int a = facets.nodes[facets.facets[f][k]],
+                               b = facets.nodes[facets.facets[f][(k + 1) % 4]];
             on_edges.emplace(std::min(a, b), std::max(a, b));
-        }
+          }
+    std::vector<unsigned int> nodes;
+    for (const unsigned int node : nodes_of(side, group))
+      nodes.push_back(facets.nodes[node]);
     PointPairs         edges;
     const unsigned int n = space_.degree() + 1;
     for (const BoundaryFace &face : find_boundary_faces(body, nodes, faces_of(facets)))

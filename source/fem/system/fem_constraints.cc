@@ -296,12 +296,7 @@ namespace vfife
       Eigen::Map<Vector3>(u.data() + 3 * std::size_t(p)) = constraints.compute_displacement(factor);
     // What hangs moves as its masters do, also where it is not among the constrained points.
     for (const auto &[point, masters] : space.hanging())
-      {
-        Eigen::Map<Vector3> own(u.data() + 3 * std::size_t(point));
-        own.setZero();
-        for (const auto &[master, weight] : masters)
-          own += weight * Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(master));
-      }
+      Eigen::Map<Vector3>(u.data() + 3 * std::size_t(point)) = compute_mean(masters, u);
     return u;
   }
 } // namespace vfife

@@ -235,6 +235,14 @@ namespace vfife
       check_folds(part);
   }
 
+  Vector3 compute_mean(const PointWeights &weights, const std::vector<double> &u)
+  {
+    Vector3 mean = Vector3::Zero();
+    for (const auto &[point, weight] : weights)
+      mean += weight * Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(point));
+    return mean;
+  }
+
   void FemSpace::move_to_masters(std::vector<double> &forces) const
   {
     for (const auto &[point, masters] : hanging_)

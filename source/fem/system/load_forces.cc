@@ -48,9 +48,9 @@ namespace vfife
 
     /** Masses [t] of the points, integrals of the density times the shape functions; of a point
      * between corners the part of those that are among the nodes. */
-    PointShares point_masses(const std::vector<unsigned int> &nodes,
-                             const FemSpace                  &space,
-                             const FemSpace::Part            &part)
+    PointWeights point_masses(const std::vector<unsigned int> &nodes,
+                              const FemSpace                  &space,
+                              const FemSpace::Part            &part)
     {
       const Body       &body = space.model().bodies[part.body];
       std::vector<bool> selected(body.n_nodes(), false);
@@ -87,11 +87,11 @@ namespace vfife
                 of_points[points[a]] += inside / n_corners * masses[a];
             }
         }
-      return PointShares(of_points.begin(), of_points.end());
+      return PointWeights(of_points.begin(), of_points.end());
     }
 
     /** As compute_load_shares(), with the points between the nodes. */
-    PointShares point_shares(const Load &load, const FemSpace &space, const FemSpace::Part &part)
+    PointWeights point_shares(const Load &load, const FemSpace &space, const FemSpace::Part &part)
     {
       // A pressure needs no shares, but is refused without a face.
       const Body &body = space.model().bodies[load.body];
@@ -100,7 +100,7 @@ namespace vfife
       if (load.kind == LoadKind::acceleration && (space.degree() > 1 || space.is_refined(part)))
         return point_masses(load.nodes, space, part);
       const std::vector<double> nodal = compute_load_shares(load, body);
-      PointShares               shares;
+      PointWeights              shares;
       for (std::size_t i = 0; i < load.nodes.size(); ++i)
         shares.emplace_back(part.first_point + load.nodes[i], nodal[i]);
       return shares;
@@ -150,16 +150,16 @@ namespace vfife
     }
   } // namespace
 
-  PointShares point_area_shares(const Body                      &body,
-                                const std::vector<unsigned int> &nodes,
-                                const SelectedFaces             &selected,
-                                const FemSpace                  &space,
-                                const FemSpace::Part            &part)
+  PointWeights point_area_shares(const Body                      &body,
+                                 const std::vector<unsigned int> &nodes,
+                                 const SelectedFaces             &selected,
+                                 const FemSpace                  &space,
+                                 const FemSpace::Part            &part)
   {
     std::vector<BoundaryFace> faces;
     if (space.degree() > 1 || space.is_refined(part))
       faces = find_boundary_faces(body, nodes, selected);
-    PointShares shares;
+    PointWeights shares;
     if (faces.empty())
       {
         const std::vector<double> nodal = compute_area_shares(body, nodes, selected);
@@ -173,7 +173,7 @@ namespace vfife
       sum += share.second;
     for (auto &share : of_points)
       share.second /= sum;
-    return PointShares(of_points.begin(), of_points.end());
+    return PointWeights(of_points.begin(), of_points.end());
   }
 
   void add_load_forces(const Load           &load,
@@ -186,7 +186,7 @@ namespace vfife
       Eigen::Map<Vector3>(forces.data() + 3 * std::size_t(point)) += factor * force;
     };
     const std::vector<Vector3> &places = space.points();
-    const PointShares           shares = point_shares(load, space, part);
+    const PointWeights          shares = point_shares(load, space, part);
     switch (load.kind)
       {
       case LoadKind::force:

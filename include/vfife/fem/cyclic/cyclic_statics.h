@@ -44,8 +44,8 @@ namespace vfife
      * moves and takes forces. Points that are copies of each other have weights that are. */
     struct Watched
     {
-      unsigned int                                 point;
-      std::vector<std::pair<unsigned int, double>> weights;
+      unsigned int point;
+      PointWeights weights;
     };
     /** The points between which column() computes displacements. Throws InputError where one has
      * weights in another sector than its own. */
@@ -83,6 +83,8 @@ namespace vfife
     /** Part of border 0 in the turn of the body, whose stiffness is added to h = 0. */
     Eigen::VectorXd turn_of_border() const;
     void            find_pin();
+    /** The two columns of pin_fields_ by which a point moves, a row per direction. */
+    Eigen::MatrixXd pin_field_of(const Watched &watched) const;
     /** Loads on the unknowns of all sectors, a column each. */
     Eigen::MatrixXd     restrict_forces(const std::vector<double> &forces) const;
     std::vector<double> expand(const Eigen::MatrixXd &x) const;
@@ -103,8 +105,6 @@ namespace vfife
     double          turn_stiffness_ = 0;                       ///< added to h = 0
     Eigen::MatrixXd pin_fields_;                               ///< of all points, two columns
     Eigen::Matrix2d pin_compliance_ = Eigen::Matrix2d::Zero(); ///< that the pin takes away
-
-    Eigen::MatrixXd pin_field_of(const Watched &watched) const;
 
     std::vector<Watched>                    watched_;
     std::vector<unsigned int>               locals_;      ///< their copies in sector 0

@@ -5,16 +5,11 @@
 #include <vfife/fem/system/fem_space.h>
 
 #include <map>
-#include <utility>
 #include <vector>
 
 namespace vfife
 {
-  /** Points of a space and their weights [-]. */
-  using PointWeights = std::vector<std::pair<unsigned int, double>>;
-
-  /** Sum of the weights times the displacements [mm], or other values, at the points. */
-  Vector3 compute_mean(const PointWeights &weights, const std::vector<double> &u);
+  struct BoundaryFace;
 
   /**
    * The motion of a node of a surface in contact where elements have points between the nodes. A
@@ -36,7 +31,10 @@ namespace vfife
     PointWeights of(unsigned int point) const;
 
   private:
-    void add_surface(const FemSpace &space, unsigned int body, const std::string &surface);
+    /** Of the faces of a part. */
+    void add_faces(const FemSpace                  &space,
+                   const FemSpace::Part            &part,
+                   const std::vector<BoundaryFace> &faces);
 
     std::map<unsigned int, PointWeights> means_; ///< by point
   };

@@ -14,6 +14,13 @@ namespace vfife
 {
   class RefinedMesh;
 
+  /** Points of a space and their weights [-]. */
+  using PointWeights = std::vector<std::pair<unsigned int, double>>;
+
+  /** Sum of the weights times the values at the points, which @p u has for all points (3 per
+   * point). */
+  Vector3 compute_mean(const PointWeights &weights, const std::vector<double> &u);
+
   /**
    * Displacements of some bodies of a model, in the fixed frame as at time zero: a
    * dealii::DoFHandler of degree 1, 2 or 3 for each body. A point has three components; points of a
@@ -120,7 +127,7 @@ namespace vfife
 
     /** Points in the middle of coarser edges and faces: each moves as the mean of others with
      * weights (point, weight), none of which hangs. */
-    const std::map<unsigned int, std::vector<std::pair<unsigned int, double>>> &hanging() const
+    const std::map<unsigned int, PointWeights> &hanging() const
     {
       return hanging_;
     }
@@ -177,18 +184,18 @@ namespace vfife
     void add_images_between();
     void check_folds(const Part &part) const;
 
-    const Model                                    *model_;
-    FemSpaceOptions                                 options_;
-    std::vector<LocalRefinement>                    refinements_;
-    unsigned int                                    n_local_;
-    std::vector<Part>                               parts_;
-    std::vector<Vector3>                            points_;
-    std::vector<std::shared_ptr<const RefinedMesh>> meshes_; ///< of the parts
-    std::vector<unsigned int>                       element_points_, parents_;
-    std::vector<std::vector<unsigned int>>          point_of_vertex_; ///< of the parts' meshes
-    std::map<unsigned int, std::vector<std::pair<unsigned int, double>>> hanging_;
-    std::vector<std::pair<unsigned int, unsigned int>>                   images_;
-    double                                                               sector_angle_ = 0;
+    const Model                                       *model_;
+    FemSpaceOptions                                    options_;
+    std::vector<LocalRefinement>                       refinements_;
+    unsigned int                                       n_local_;
+    std::vector<Part>                                  parts_;
+    std::vector<Vector3>                               points_;
+    std::vector<std::shared_ptr<const RefinedMesh>>    meshes_; ///< of the parts
+    std::vector<unsigned int>                          element_points_, parents_;
+    std::vector<std::vector<unsigned int>>             point_of_vertex_; ///< of the parts' meshes
+    std::map<unsigned int, PointWeights>               hanging_;
+    std::vector<std::pair<unsigned int, unsigned int>> images_;
+    double                                             sector_angle_ = 0;
   };
 
   /** Throws InputError, naming @p what, where a body of equal sectors has one of @p nodes without

@@ -31,16 +31,13 @@ namespace vfife
                          double                value,
                          std::vector<double>  &forces);
 
-  /** Points of a body and what each takes of what acts on all of them. */
-  using PointShares = std::vector<std::pair<unsigned int, double>>;
-
   /** Shares of one by area, as compute_area_shares(), with the points of quadratic elements between
    * the nodes. */
-  PointShares point_area_shares(const Body                      &body,
-                                const std::vector<unsigned int> &nodes,
-                                const SelectedFaces             &selected,
-                                const FemSpace                  &space,
-                                const FemSpace::Part            &part);
+  PointWeights point_area_shares(const Body                      &body,
+                                 const std::vector<unsigned int> &nodes,
+                                 const SelectedFaces             &selected,
+                                 const FemSpace                  &space,
+                                 const FemSpace::Part            &part);
 
   /** Stiffnesses [N/mm] of a spring to the ground, by point. Throws InputError on one sector of a
    * body. */
