@@ -170,7 +170,6 @@ namespace
           std::vector<unsigned int> patch;
           for (const unsigned int node : flank.nodes)
             {
-              side.near_places.push_back(patch.size());
               side.places.push_back(points.size());
               patch.push_back(d.find_part(b)->first_point + node);
               points.push_back(patch.back());
@@ -178,12 +177,23 @@ namespace
                                   model.bodies[b].node_positions()[node].data(),
                                   model.bodies[b].node_positions()[node].data() + 3);
             }
+          std::vector<PointWeights> means;
+          for (const unsigned int point : patch)
+            means.push_back({{point, 1.}});
+          for (const auto &facet : flank.facets)
+            {
+              FlankPart part{unit_square, {}, facet, {}};
+              part.bulges.fill(Vector3::Zero());
+              for (unsigned int k = 0; k < 4; ++k)
+                part.places[k] = side.places[facet[k]];
+              side.parts.push_back({part});
+            }
           PointPairs edges;
           for (unsigned int f = 0; f < flank.facets.size(); ++f)
             for (unsigned int k = 0; k < 4; ++k)
               if (edge_number(flank, f, k) != 0)
                 edges.push_back({{patch[flank.facets[f][k]], patch[flank.facets[f][(k + 1) % 4]]}});
-          near[b]             = find_near_layer(d, patch, NodeAverages(d), {}, depth, edges);
+          near[b]             = find_near_layer(d, patch, means, {}, depth, edges);
           side.near           = &near[b];
           side.youngs_modulus = model.bodies[b].materials().front().youngs_modulus;
           side.poissons_ratio = model.bodies[b].materials().front().poissons_ratio;

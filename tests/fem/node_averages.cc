@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// Nodes of a surface in contact between which elements have points: linear fields, force and moment
-// of their tractions, and a block under even pressure by forces on its nodes.
+// Nodes of a surface in contact between which elements have points, and corners of the parts of its
+// facets: linear fields, force and moment of their tractions, and a block under even pressure by
+// forces on its nodes.
 #include "../composite.h"
 #include "../ranks.h"
 #include "../tests.h"
@@ -46,6 +47,59 @@ namespace
     return model;
   }
 
+  /** By how much the weights of a point do not sum to one or not have its place as their mean. */
+  double find_error(const FemSpace &space, const unsigned int point, const PointWeights &weights)
+  {
+    double  sum  = 0;
+    Vector3 mean = Vector3::Zero();
+    for (const auto &[p, weight] : weights)
+      {
+        sum += weight;
+        mean += weight * space.points()[p];
+      }
+    return std::abs(sum - 1.) + (mean - space.points()[point]).norm();
+  }
+
+  /** The parts of a surface's facets cover them, and their corners have linear fields. */
+  void check_parts(const std::string &name, const FemSpace &space, const Model &model)
+  {
+    const FacetParts parts(space);
+    double           worst = 0, most = 0;
+    for (const auto &[body, surface] : {std::pair(1u, "z-"), std::pair(0u, "z+")})
+      {
+        const unsigned int  first  = space.find_part(body)->first_point;
+        const FacetSurface &facets = model.bodies[body].mesh().surfaces.at(surface);
+        for (const auto &facet : facets.facets)
+          {
+            FacetParts::Corners    corners;
+            std::array<Vector3, 4> x;
+            for (unsigned int k = 0; k < 4; ++k)
+              {
+                corners[k] = first + facets.nodes[facet[k]];
+                x[k]       = space.points()[corners[k]];
+              }
+            const std::vector<FacetParts::Corners> of_facet = parts.of(corners);
+            double                                 area     = 0;
+            for (const FacetParts::Corners &part : of_facet)
+              {
+                std::array<Vector2, 4> places;
+                for (unsigned int k = 0; k < 4; ++k)
+                  {
+                    places[k] = place_on_facet(x, space.points()[part[k]]);
+                    worst = largest_of(worst, find_error(space, part[k], parts.mean_of(part[k])));
+                  }
+                const Vector2 a = places[2] - places[0], b = places[3] - places[1];
+                area += .5 * std::abs(a[0] * b[1] - a[1] * b[0]);
+              }
+            worst = largest_of(worst, std::abs(area - 1.));
+            most  = largest_of(most, double(of_facet.size()));
+          }
+      }
+    check_below(name + ": parts of facets", worst, 1e-12);
+    const unsigned int pieces = space.n_elements() > 36 ? 2 : 1;
+    check(name + ": number of parts", most == std::pow(space.degree() * pieces, 2));
+  }
+
   void check_weights(const std::string &name, const FemSpace &space, const Model &model)
   {
     const NodeAverages averages(space);
@@ -56,15 +110,7 @@ namespace
         for (const unsigned int node : model.bodies[body].node_set(surface))
           {
             const unsigned int point = space.find_part(body)->first_point + node;
-            double             sum   = 0;
-            Vector3            mean  = Vector3::Zero();
-            for (const auto &[p, weight] : averages.of(point))
-              {
-                sum += weight;
-                mean += weight * space.points()[p];
-              }
-            worst = largest_of(worst, std::abs(sum - 1.));
-            worst = largest_of(worst, (mean - space.points()[point]).norm());
+            worst = largest_of(worst, find_error(space, point, averages.of(point)));
             most  = largest_of(most, double(averages.of(point).size()));
           }
     check_below(name + ": linear fields", worst, 1e-13);
@@ -83,10 +129,11 @@ namespace
     const Body                     &body  = model.bodies[0];
     const std::vector<unsigned int> nodes = body.node_set("z+");
     check_weights(name, space, model);
+    check_parts(name, space, model);
     compliance.watch(nodes);
     const std::vector<double> shares = compute_area_shares(body, nodes);
     constexpr double          force  = 3e3; // [N] on 3 mm^2
-    Eigen::VectorXd           forces = Eigen::VectorXd::Zero(3 * nodes.size());
+    Eigen::VectorXd           forces = Eigen::VectorXd::Zero(compliance.first_motion_row());
     for (std::size_t k = 0; k < nodes.size(); ++k)
       forces[3 * k + 2] = -force * shares[k];
     const std::vector<double> u      = compliance.solve(compliance.spread(forces));
@@ -100,8 +147,8 @@ namespace
                            .norm());
     check_below(name + ": even pressure", worst / -strain, 1e-12);
 
-    // Rows of nodes: the flexibility is symmetric, and forces act as their sum and moment.
-    std::vector<unsigned int> rows(3 * nodes.size());
+    // The flexibility of nodes and corners is symmetric, and forces act as their sum and moment.
+    std::vector<unsigned int> rows(forces.size());
     for (std::size_t i = 0; i < rows.size(); ++i)
       rows[i] = i;
     const Eigen::MatrixXd A = compliance.flexibility(rows);
@@ -109,10 +156,14 @@ namespace
     const Eigen::VectorXd     some   = Eigen::VectorXd::LinSpaced(forces.size(), -3., 8.);
     const std::vector<double> spread = compliance.spread(some);
     Vector3                   sum = Vector3::Zero(), moment = Vector3::Zero();
-    for (std::size_t k = 0; k < nodes.size(); ++k)
+    std::vector<unsigned int> points = compliance.watched();
+    points.insert(points.end(),
+                  compliance.surface_points().begin(),
+                  compliance.surface_points().end());
+    for (std::size_t k = 0; k < points.size(); ++k)
       {
         sum += some.segment<3>(3 * k);
-        moment += space.points()[nodes[k]].cross(some.segment<3>(3 * k));
+        moment += space.points()[points[k]].cross(some.segment<3>(3 * k));
       }
     for (unsigned int p = 0; p < space.n_points(); ++p)
       {

@@ -99,8 +99,8 @@ namespace vfife
   {
     // 1. The points as copies of those of sector 0.
     watched_ = std::move(points);
-    std::map<unsigned int, const Watched *> originals;
-    std::set<unsigned int>                  sectors;
+    std::map<Copy, const Watched *> originals;
+    std::set<unsigned int>          sectors;
     for (const Watched &watched : watched_)
       {
         const unsigned int sector = copies_.sector_of(watched.point);
@@ -108,7 +108,7 @@ namespace vfife
           if (copies_.sector_of(weight.first) != sector)
             throw InputError("body \"" + body_.body().name() +
                              "\": a surface in contact goes across the border of two sectors");
-        originals.emplace(copies_.original_of(watched.point), &watched);
+        originals.emplace(copy_of(watched), &watched);
         sectors.insert(sector);
       }
     locals_.clear();
@@ -165,9 +165,9 @@ namespace vfife
                                         const unsigned int component) const
   {
     const unsigned int n_sectors = body_.n_sectors();
-    const auto         local     = [&](const unsigned int point) {
-      return 3 * (std::lower_bound(locals_.begin(), locals_.end(), copies_.original_of(point)) -
-                  locals_.begin());
+    const auto         local     = [&](const Watched &point) {
+      return 3 *
+             (std::lower_bound(locals_.begin(), locals_.end(), copy_of(point)) - locals_.begin());
     };
     // The force in the axes of its sector, each displacement in those of its own.
     const unsigned int at = watched_[watched].point, from = copies_.sector_of(at);
@@ -178,13 +178,19 @@ namespace vfife
     Eigen::VectorXd u(3 * watched_.size());
     for (std::size_t i = 0; i < watched_.size(); ++i)
       {
-        const unsigned int     point = watched_[i].point, to = copies_.sector_of(point);
-        const Eigen::MatrixXd &A = flexibility_.at((to + n_sectors - from) % n_sectors);
-        u.segment<3>(3 * i)      = turned(to) * A.block<3, 3>(local(point), local(at)) * force;
+        const unsigned int     to = copies_.sector_of(watched_[i].point);
+        const Eigen::MatrixXd &A  = flexibility_.at((to + n_sectors - from) % n_sectors);
+        u.segment<3>(3 * i) =
+          turned(to) * A.block<3, 3>(local(watched_[i]), local(watched_[watched])) * force;
         if (pinned_)
           u.segment<3>(3 * i) -= pin_field_of(watched_[i]) * held;
       }
     return u;
+  }
+
+  CyclicStatics::Copy CyclicStatics::copy_of(const Watched &watched) const
+  {
+    return {copies_.original_of(watched.point), watched.kind};
   }
 
   Eigen::MatrixXd CyclicStatics::pin_field_of(const Watched &watched) const

@@ -52,7 +52,7 @@ namespace vfife
 
   std::size_t PairBodies::bearing_row(const std::size_t i) const
   {
-    return 3 * compliance_.watched().size() + 6 * i;
+    return compliance_.first_motion_row() + 6 * i;
   }
 
   Eigen::VectorXd PairBodies::bearing_rows(const Eigen::VectorXd &u) const

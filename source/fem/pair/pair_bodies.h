@@ -10,8 +10,8 @@ namespace vfife
 {
   /**
    * The whole bodies of a pair at rest in its turning axes, their bearings and what stands still in
-   * space around them. Rows, in axes of time zero: three a watched point in the order of
-   * Compliance::watched(), then six of each bearing's ring, then those of standing motions.
+   * space around them. Rows, in axes of time zero: those of Compliance::watch(): three per point,
+   * six of each bearing's ring, then those of standing motions.
    */
   class PairBodies : public PressedBodies
   {

@@ -25,7 +25,7 @@ namespace vfife
     CellFoot
     foot_of(const SurfaceGeometry &surface, const unsigned int facet, double xi, double eta)
     {
-      return {surface.corners(facet), bilinear_weights(xi, eta)};
+      return {facet, Vector2(xi, eta), surface.corners(facet), bilinear_weights(xi, eta)};
     }
 
     /** Looks for the master's point under points of the slave that lie near each other. */
@@ -114,33 +114,31 @@ namespace vfife
       return Vector2(plane.along.dot(x - plane.origin) / plane.sides[0],
                      plane.across.dot(x - plane.origin) / plane.sides[1]);
     }
-
-    /** (xi, eta) of a facet whose point lies over @p target on the plane, by Newton's method; says
-     * whether it is in the facet. */
-    bool find_over(const std::array<Vector2, 4> &corners, const Vector2 &target, Vector2 &xi)
-    {
-      xi = Vector2(.5, .5);
-      for (unsigned int i = 0; i < 20; ++i)
-        {
-          const auto N = bilinear_weights(xi[0], xi[1]);
-          Vector2    r = target;
-          for (unsigned int k = 0; k < 4; ++k)
-            r -= N[k] * corners[k];
-          Eigen::Matrix2d slope;
-          slope.col(0) =
-            (1. - xi[1]) * (corners[1] - corners[0]) + xi[1] * (corners[2] - corners[3]);
-          slope.col(1) =
-            (1. - xi[0]) * (corners[3] - corners[0]) + xi[0] * (corners[2] - corners[1]);
-          const Vector2 step = slope.inverse() * r;
-          if (!step.allFinite())
-            return false;
-          xi += step;
-          if (step.norm() < 1e-12)
-            break;
-        }
-      return xi.minCoeff() >= -side_tolerance && xi.maxCoeff() <= 1. + side_tolerance;
-    }
   } // namespace
+
+
+  bool
+  find_in_quadrilateral(const std::array<Vector2, 4> &corners, const Vector2 &target, Vector2 &xi)
+  {
+    xi = Vector2(.5, .5);
+    for (unsigned int i = 0; i < 20; ++i)
+      {
+        const auto N = bilinear_weights(xi[0], xi[1]);
+        Vector2    r = target;
+        for (unsigned int k = 0; k < 4; ++k)
+          r -= N[k] * corners[k];
+        Eigen::Matrix2d slope;
+        slope.col(0) = (1. - xi[1]) * (corners[1] - corners[0]) + xi[1] * (corners[2] - corners[3]);
+        slope.col(1) = (1. - xi[0]) * (corners[3] - corners[0]) + xi[0] * (corners[2] - corners[1]);
+        const Vector2 step = slope.inverse() * r;
+        if (!step.allFinite())
+          return false;
+        xi += step;
+        if (step.norm() < 1e-12)
+          break;
+      }
+    return xi.minCoeff() >= -side_tolerance && xi.maxCoeff() <= 1. + side_tolerance;
+  }
 
 
   std::vector<FacingPoint> find_facing_points(const FacingSurfaces                    &surfaces,
@@ -238,8 +236,8 @@ namespace vfife
               Vector2     xi;
               ContactCell cell;
               cell.place = {{i, j}};
-              if (find_over(corners, Vector2(i, j), xi) && cells.count(cell.place) == 0 &&
-                  search.find(facet, xi[0], xi[1], cell))
+              if (find_in_quadrilateral(corners, Vector2(i, j), xi) &&
+                  cells.count(cell.place) == 0 && search.find(facet, xi[0], xi[1], cell))
                 cells.emplace(cell.place, cell);
             }
       }

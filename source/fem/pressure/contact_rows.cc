@@ -10,11 +10,31 @@ namespace vfife
         first_.emplace(k / 3, 0);
   }
 
-  void ContactRows::add(const ElasticContact &contact, const ContactCell &cell)
+  namespace
+  {
+    /** Places of the flexibility and their weights. */
+    std::array<std::pair<unsigned int, double>, 4>
+    find_places(const ElasticFlank &flank, const CellFoot &foot, const ContactRows::At at)
+    {
+      std::array<std::pair<unsigned int, double>, 4> places;
+      if (at == ContactRows::At::nodes)
+        for (unsigned int k = 0; k < 4; ++k)
+          places[k] = {flank.places[foot.nodes[k]], foot.weights[k]};
+      else
+        {
+          const FlankFoot on_part = flank.find(foot);
+          for (unsigned int k = 0; k < 4; ++k)
+            places[k] = {on_part.part->places[k], on_part.weights[k]};
+        }
+      return places;
+    }
+  } // namespace
+
+  void ContactRows::add(const ElasticContact &contact, const ContactCell &cell, const At at)
   {
     for (unsigned int side = 0; side < 2; ++side)
-      for (const unsigned int node : cell.feet[side].nodes)
-        first_.emplace(contact.flanks[side].places[node], 0);
+      for (const auto &place : find_places(contact.flanks[side], cell.feet[side], at))
+        first_.emplace(place.first, 0);
   }
 
   std::vector<unsigned int> ContactRows::number()
@@ -31,19 +51,17 @@ namespace vfife
 
   void ContactRows::append_gap(const ElasticContact &contact,
                                const ContactCell    &cell,
+                               const At              at,
                                const Eigen::Index    row,
                                Entries              &entries) const
   {
     for (unsigned int side = 0; side < 2; ++side)
       {
         const ElasticFlank &flank = contact.flanks[side];
-        const CellFoot     &foot  = cell.feet[side];
         const Vector3 along = (side == 0 ? 1. : -1.) * (flank.rotation.transpose() * cell.normal);
-        for (unsigned int k = 0; k < 4; ++k)
+        for (const auto &[place, weight] : find_places(flank, cell.feet[side], at))
           for (unsigned int c = 0; c < 3; ++c)
-            entries.emplace_back(row,
-                                 first_.at(flank.places[foot.nodes[k]]) + c,
-                                 foot.weights[k] * along[c]);
+            entries.emplace_back(row, first_.at(place) + c, weight * along[c]);
       }
   }
 } // namespace vfife

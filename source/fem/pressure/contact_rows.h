@@ -20,7 +20,15 @@ namespace vfife
     /** Those of @p load that are not zero. */
     explicit ContactRows(const ContactLoad &load);
 
-    void add(const ElasticContact &contact, const ContactCell &cell);
+    /** Where the forces of cells act: at the points of the elements on the facets, or at the nodes
+     * as those of springs between the surfaces. */
+    enum class At
+    {
+      points,
+      nodes
+    };
+
+    void add(const ElasticContact &contact, const ContactCell &cell, At at);
 
     /** Numbers what has been added; three rows per place, ascending. */
     std::vector<unsigned int> number();
@@ -29,6 +37,7 @@ namespace vfife
      * matrix. */
     void append_gap(const ElasticContact &contact,
                     const ContactCell    &cell,
+                    At                    at,
                     Eigen::Index          row,
                     Entries              &entries) const;
 

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/contact/surface/edge_sides.h>
 #include <vfife/fem/pressure/flank_pair.h>
+#include <vfife/fem/statics/compliance.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>
 #include <vfife/model/load_shares.h>
@@ -10,9 +11,21 @@
 
 namespace vfife
 {
+  PointPlaces::PointPlaces(const Compliance &compliance)
+    : nodes(compliance.space().n_points(), ElasticFlank::no_place)
+    , surface(nodes)
+  {
+    unsigned int place = 0;
+    for (const unsigned int point : compliance.watched())
+      nodes[point] = place++;
+    for (const unsigned int point : compliance.surface_points())
+      surface[point] = place++;
+  }
+
   FlankPair::FlankPair(const FemSpace &space, const double depth)
     : space_(space)
     , averages_(space)
+    , facet_parts_(space)
     , definition_(space.model().contacts.front())
     , depth_(depth)
     , bodies_{{definition_.slave_body, definition_.master_body}}
@@ -38,6 +51,11 @@ namespace vfife
     positions_[side] = std::move(positions);
     rotations_[side] = motion.rotation * body.placement.rotation.transpose();
     surfaces_[side].bind({positions_[side].data(), nullptr, motion});
+  }
+
+  void FlankPair::bend(std::vector<double> displacements)
+  {
+    displacements_ = std::move(displacements);
   }
 
   double FlankPair::torque_arm(const Vector3 &position, const Vector3 &normal) const
@@ -87,19 +105,28 @@ namespace vfife
     if (known != near_.end())
       return known->second;
     const FacetSurface       &facets = *facets_[side];
-    std::vector<unsigned int> patch, others;
-    for (const unsigned int node : nodes_of(side, group))
-      patch.push_back(point_of(side, node));
-    std::sort(patch.begin(), patch.end());
+    std::set<unsigned int>    points;
+    std::vector<unsigned int> others;
+    for (std::size_t f = 0; f < facets.facets.size(); ++f)
+      if (facets.group[f] == group)
+        for (const FacetParts::Corners &part : facet_parts_.of(corners_of(side, f, group, group)))
+          points.insert(part.begin(), part.end());
+    std::vector<PointWeights> means;
+    for (const unsigned int point : points)
+      means.push_back(facet_parts_.mean_of(point));
     const unsigned int first = space_.find_part(bodies_[side])->first_point;
     for (const auto &[name, other] : space_.model().bodies[bodies_[side]].mesh().surfaces)
       if (&other != &facets)
         for (const unsigned int node : other.nodes)
           others.push_back(first + node);
     return near_
-      .emplace(
-        std::make_pair(side, group),
-        find_near_layer(space_, std::move(patch), averages_, others, depth_, edges_of(side, group)))
+      .emplace(std::make_pair(side, group),
+               find_near_layer(space_,
+                               {points.begin(), points.end()},
+                               std::move(means),
+                               others,
+                               depth_,
+                               edges_of(side, group)))
       .first->second;
   }
 
@@ -139,10 +166,73 @@ namespace vfife
     return edges;
   }
 
-  ElasticFlank FlankPair::make_flank(const unsigned int               side,
-                                     const unsigned int               group,
-                                     const unsigned int               copied,
-                                     const std::vector<unsigned int> &places)
+  FacetParts::Corners FlankPair::corners_of(const unsigned int side,
+                                            const unsigned int facet,
+                                            const unsigned int group,
+                                            const unsigned int copied) const
+  {
+    FacetParts::Corners corners;
+    for (unsigned int k = 0; k < 4; ++k)
+      corners[k] = point_of(side, copy_of(side, facets_[side]->facets[facet][k], group, copied));
+    return corners;
+  }
+
+  std::vector<FlankPart> FlankPair::make_parts(const unsigned int  side,
+                                               const unsigned int  facet,
+                                               const unsigned int  copied,
+                                               const PointPlaces  &places,
+                                               const ElasticFlank &flank) const
+  {
+    const FacetParts::Corners nodes = corners_of(side, facet, facets_[side]->group[facet], copied);
+    std::array<Vector3, 4>    x;
+    for (unsigned int k = 0; k < 4; ++k)
+      x[k] = space_.points()[nodes[k]];
+    const std::vector<FacetParts::Corners> points = facet_parts_.of(nodes);
+    const auto                            &near   = flank.near->points;
+    std::vector<FlankPart>                 parts;
+    for (const FacetParts::Corners &corners : points)
+      {
+        FlankPart part;
+        for (unsigned int k = 0; k < 4; ++k)
+          {
+            const unsigned int point = corners[k];
+            part.corners[k] =
+              corners == nodes ? unit_square[k] : place_on_facet(x, space_.points()[point]);
+            part.places[k] = places.surface[point] != ElasticFlank::no_place ? places.surface[point]
+                                                                             : places.nodes[point];
+            part.near_places[k] = std::lower_bound(near.begin(), near.end(), point) - near.begin();
+            part.bulges[k].setZero();
+          }
+        parts.push_back(part);
+      }
+    if (!displacements_.empty() && points.front() != nodes)
+      find_bulges(side, nodes, points, parts);
+    return parts;
+  }
+
+  void FlankPair::find_bulges(const unsigned int                      side,
+                              const FacetParts::Corners              &nodes,
+                              const std::vector<FacetParts::Corners> &points,
+                              std::vector<FlankPart>                 &parts) const
+  {
+    std::array<Vector3, 4> u;
+    for (unsigned int k = 0; k < 4; ++k)
+      u[k] = compute_mean(averages_.of(nodes[k]), displacements_);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      for (unsigned int k = 0; k < 4; ++k)
+        {
+          const auto N     = bilinear_weights(parts[i].corners[k][0], parts[i].corners[k][1]);
+          Vector3    bulge = compute_mean(facet_parts_.mean_of(points[i][k]), displacements_);
+          for (unsigned int j = 0; j < 4; ++j)
+            bulge -= N[j] * u[j];
+          parts[i].bulges[k] = rotations_[side] * bulge;
+        }
+  }
+
+  ElasticFlank FlankPair::make_flank(const unsigned int side,
+                                     const unsigned int group,
+                                     const unsigned int copied,
+                                     const PointPlaces &places)
   {
     const Body  &body = space_.model().bodies[bodies_[side]];
     ElasticFlank flank;
@@ -156,14 +246,12 @@ namespace vfife
     flank.poissons_ratio = materials_[side].poissons_ratio;
     flank.held           = &held_[side];
     flank.places.assign(facets_[side]->nodes.size(), ElasticFlank::no_place);
-    flank.near_places = flank.places;
     for (const unsigned int node : nodes_of(side, group))
-      {
-        const unsigned int point = point_of(side, copy_of(side, node, group, copied));
-        const auto        &near  = flank.near->points;
-        flank.places[node]       = places[point];
-        flank.near_places[node]  = std::lower_bound(near.begin(), near.end(), point) - near.begin();
-      }
+      flank.places[node] = places.nodes[point_of(side, copy_of(side, node, group, copied))];
+    flank.parts.resize(facets_[side]->facets.size());
+    for (std::size_t f = 0; f < flank.parts.size(); ++f)
+      if (facets_[side]->group[f] == group)
+        flank.parts[f] = make_parts(side, f, copied, places, flank);
     return flank;
   }
 

@@ -48,6 +48,9 @@ namespace vfife
     , plane(plane_)
     , cells(find_contact_cells(contact_.surfaces, plane_))
   {
+    for (ContactCell &cell : cells)
+      cell.gap += cell.normal.dot(contact->flanks[0].find(cell.feet[0]).bulge() -
+                                  contact->flanks[1].find(cell.feet[1]).bulge());
     std::stable_sort(cells.begin(), cells.end(), [](const ContactCell &a, const ContactCell &b) {
       return a.gap < b.gap;
     });
@@ -73,10 +76,10 @@ namespace vfife
         bodies[side].held           = flank.held;
         for (std::size_t i = 0; i < n_taken; ++i)
           {
-            const CellFoot &foot  = cells[i].feet[side];
+            const FlankFoot foot  = flank.find(cells[i].feet[side]);
             double          depth = 0;
             for (unsigned int k = 0; k < 4; ++k)
-              depth += foot.weights[k] * flank.near->depths[flank.near_places[foot.nodes[k]]];
+              depth += foot.weights[k] * flank.near->depths[foot.part->near_places[k]];
             bodies[side].depths.push_back(depth);
           }
       }
@@ -209,7 +212,7 @@ namespace vfife
       for (const GridOfContact &grid : grids_)
         {
           for (std::size_t i = 0; i < grid.n_taken; ++i)
-            rows.add(*grid.contact, grid.cells[i]);
+            rows.add(*grid.contact, grid.cells[i], ContactRows::At::points);
           n += grid.n_taken;
         }
       rows_ = rows.number();
@@ -224,7 +227,7 @@ namespace vfife
             const ContactCell &cell = grid.cells[i];
             gaps_[row]              = cell.gap;
             arms_[row]              = load_.arm(cell.position, cell.normal);
-            rows.append_gap(*grid.contact, cell, row, entries);
+            rows.append_gap(*grid.contact, cell, ContactRows::At::points, row, entries);
           }
       gap_of_.resize(n, rows_.size());
       gap_of_.setFromTriplets(entries.begin(), entries.end());
@@ -248,15 +251,16 @@ namespace vfife
             if (!taken.insert(flank.near).second)
               continue;
             // Rows here and there of the points that are in both.
-            std::vector<std::array<Eigen::Index, 2>> both;
-            for (std::size_t node = 0; node < flank.places.size(); ++node)
-              if (flank.near_places[node] != ElasticFlank::no_place &&
-                  first.count(flank.places[node]) > 0)
-                both.push_back(
-                  {{first.at(flank.places[node]), 3 * Eigen::Index(flank.near_places[node])}});
-            for (const auto &a : both)
-              for (const auto &b : both)
-                far_.block<3, 3>(a[0], b[0]) -= flank.near->flexibility.block<3, 3>(a[1], b[1]);
+            std::map<Eigen::Index, Eigen::Index> both;
+            for (const std::vector<FlankPart> &of_facet : flank.parts)
+              for (const FlankPart &part : of_facet)
+                for (unsigned int k = 0; k < 4; ++k)
+                  if (const auto found = first.find(part.places[k]); found != first.end())
+                    both[found->second] = 3 * Eigen::Index(part.near_places[k]);
+            for (const auto &[row, near_row] : both)
+              for (const auto &[column, near_column] : both)
+                far_.block<3, 3>(row, column) -=
+                  flank.near->flexibility.block<3, 3>(near_row, near_column);
           }
       far_ = .5 * (far_ + far_.transpose()).eval();
     }

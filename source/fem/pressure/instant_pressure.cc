@@ -33,21 +33,18 @@ namespace vfife
     , flanks_(space_, depth)
     , depth_limit_(
         Contact(flanks_.facets(0), flanks_.facets(1), flanks_.definition().options).depth_limit())
-    , places_(space_.n_points(), ElasticFlank::no_place)
   {
     std::vector<unsigned int> points, rows;
     for (unsigned int side = 0; side < 2; ++side)
       {
         flanks_.near_layer(side, copied); // before the factors, which take longer to fail
         for (const unsigned int node : flanks_.nodes_of(side, copied))
-          {
-            places_[flanks_.point_of(side, node)] = points.size();
-            points.push_back(flanks_.point_of(side, node));
-          }
+          points.push_back(flanks_.point_of(side, node));
       }
     Compliance compliance(model, options, model.any_body_turns(), communicator);
     compliance.watch(points);
-    rows.resize(3 * points.size());
+    places_ = std::make_unique<const PointPlaces>(compliance);
+    rows.resize(compliance.first_motion_row());
     std::iota(rows.begin(), rows.end(), 0u);
     flexibility_ = compliance.flexibility(rows);
   }
@@ -137,8 +134,8 @@ namespace vfife
                                        const double       normal_force)
   {
     const ElasticContact contact{flanks_.facing(slave_group, master_group, depth_limit_),
-                                 {{flanks_.make_flank(0, slave_group, copied, places_),
-                                   flanks_.make_flank(1, master_group, copied, places_)}}};
+                                 {{flanks_.make_flank(0, slave_group, copied, *places_),
+                                   flanks_.make_flank(1, master_group, copied, *places_)}}};
     const ContactLoad load = make_load({{slave_group, master_group}}, contact.flanks, normal_force);
     if (!(load.load > 0.))
       throw NumericalError("the teeth are not in contact");

@@ -193,19 +193,15 @@ namespace vfife
 
   NearLayer find_near_layer(const FemSpace                  &space,
                             std::vector<unsigned int>        patch,
-                            const NodeAverages              &averages,
+                            std::vector<PointWeights>        means,
                             const std::vector<unsigned int> &others,
                             const double                     depth,
                             const PointPairs                &edges)
   {
-    std::vector<PointWeights> means;
-    std::set<unsigned int>    surface;
-    for (const unsigned int point : patch)
-      {
-        means.push_back(averages.of(point));
-        for (const auto &weight : means.back())
-          surface.insert(weight.first);
-      }
+    std::set<unsigned int> surface;
+    for (const PointWeights &mean : means)
+      for (const auto &weight : mean)
+        surface.insert(weight.first);
     LayeredElements       elements(space, {surface.begin(), surface.end()});
     const FemSpace::Part &part = elements.part();
     std::vector<bool>     is_other(part.n_points, false);

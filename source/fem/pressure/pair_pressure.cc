@@ -13,10 +13,8 @@ namespace vfife
     , model_(compliance.space().model())
     , cells_across_(cells_across)
     , flanks_(compliance.space(), depth)
-    , places_(compliance.space().n_points(), ElasticFlank::no_place)
+    , places_(compliance)
   {
-    for (std::size_t i = 0; i < compliance.watched().size(); ++i)
-      places_[compliance.watched()[i]] = i;
   }
 
   void PairPressure::place(const PairEquilibrium &equilibrium, const PairEquilibriumResult &result)
@@ -41,6 +39,7 @@ namespace vfife
                       {equilibrium.rotation(body) * b.placement.rotation,
                        equilibrium.place(body, b.placement.translation)});
       }
+    flanks_.bend(result.displacements);
   }
 
   ContactLoad PairPressure::make_load(const PairEquilibrium       &equilibrium,
@@ -50,12 +49,12 @@ namespace vfife
     load.flexibility = [this](const std::vector<unsigned int> &rows) {
       return compliance_.flexibility(rows);
     };
-    load.forces = Eigen::VectorXd::Zero(3 * compliance_.watched().size());
+    load.forces = Eigen::VectorXd::Zero(compliance_.first_motion_row());
     for (const NodalForce &nodal : result.contact_forces)
       {
         const unsigned int point =
           compliance_.space().find_part(nodal.body)->first_point + nodal.node;
-        load.forces.segment<3>(3 * places_[point]) +=
+        load.forces.segment<3>(3 * places_.nodes[point]) +=
           equilibrium.rotation(nodal.body).transpose() * nodal.force;
       }
     load.arm  = [this](const Vector3 &x, const Vector3 &n) { return flanks_.torque_arm(x, n); };

@@ -41,18 +41,27 @@ namespace vfife
       return std::round(x / unit) * unit;
     }
 
-    /** Changes of the gaps at @p n cells, which @p cell_of has, by displacements at the @p rows. */
-    template <typename CellOf>
-    SparseRows make_gaps(const ElasticContact &contact,
-                         const ContactRows    &rows,
-                         const std::size_t     n_rows,
-                         const std::size_t     n,
-                         const CellOf         &cell_of)
+    const ContactCell &cell_of(const ContactCell &cell)
+    {
+      return cell;
+    }
+    const ContactCell &cell_of(const FacingPoint &point)
+    {
+      return point.cell;
+    }
+
+    /** Changes of the gaps at @p cells by displacements at the @p rows. */
+    template <typename Cell>
+    SparseRows make_gaps(const ElasticContact    &contact,
+                         const std::vector<Cell> &cells,
+                         const ContactRows::At    at,
+                         const ContactRows       &rows,
+                         const std::size_t        n_rows)
     {
       ContactRows::Entries entries;
-      for (std::size_t i = 0; i < n; ++i)
-        rows.append_gap(contact, cell_of(i), i, entries);
-      SparseRows gaps(n, n_rows);
+      for (std::size_t i = 0; i < cells.size(); ++i)
+        rows.append_gap(contact, cell_of(cells[i]), at, i, entries);
+      SparseRows gaps(cells.size(), n_rows);
       gaps.setFromTriplets(entries.begin(), entries.end());
       return gaps;
     }
@@ -83,9 +92,9 @@ namespace vfife
         points.push_back(find_facing_points(
           contacts[i].surfaces, rule_, pair_.options.edge_fading, reach_factor * deepest));
         for (const FacingPoint &point : points.back())
-          needed.add(contacts[i], point.cell);
+          needed.add(contacts[i], point.cell, ContactRows::At::nodes);
         for (const ContactCell &cell : grids[i].cells)
-          needed.add(contacts[i], cell);
+          needed.add(contacts[i], cell, ContactRows::At::points);
       }
     const std::vector<unsigned int> rows        = needed.number();
     const Eigen::MatrixXd           flexibility = load.flexibility(rows);
@@ -102,10 +111,10 @@ namespace vfife
         Eigen::VectorXd     forces(n);
         for (std::size_t k = 0; k < n; ++k)
           forces[k] = grid.force_of(k);
-        const auto cell_of = [&](const std::size_t k) -> const ContactCell & {
-          return grid.cells[k];
-        };
-        own.push_back(make_gaps(contacts[i], needed, rows.size(), n, cell_of).transpose() * forces);
+        own.push_back(
+          make_gaps(contacts[i], grid.cells, ContactRows::At::points, needed, rows.size())
+            .transpose() *
+          forces);
         change += own.back();
       }
 
@@ -127,10 +136,8 @@ namespace vfife
             touch.arms[k]  = load.arm(point.cell.position, point.cell.normal);
             touch.gaps[k]  = point.cell.gap - grids[i].closing * touch.arms[k];
           }
-        const auto cell_of = [&](const std::size_t k) -> const ContactCell & {
-          return points[i][k].cell;
-        };
-        const SparseRows gaps = make_gaps(contacts[i], needed, rows.size(), n, cell_of);
+        const SparseRows gaps =
+          make_gaps(contacts[i], points[i], ContactRows::At::nodes, needed, rows.size());
         touch.gaps += gaps * (flexibility * (change - own[i]));
         touch.flexibility = gaps * flexibility * gaps.transpose();
         touch.moment      = grids[i].moment;

@@ -35,6 +35,7 @@ namespace vfife
     // What a housing joins is a part of the law that who asks adds.
     , rings_(space_, HousingLaw::own_seats)
     , averages_(space_)
+    , facet_parts_(space_)
   {
     check_motions();
     spun_.assign(3 * static_cast<std::size_t>(space_.n_points()), 0.);
@@ -185,7 +186,10 @@ namespace vfife
     weights_.clear();
     for (const unsigned int point : watched_)
       weights_.push_back(averages_.of(point));
-    std::size_t n_rows = 3 * watched_.size();
+    surface_points_ = facet_parts_.points_within(watched_);
+    for (const unsigned int point : surface_points_)
+      weights_.push_back(facet_parts_.mean_of(point));
+    std::size_t n_rows = first_motion_row();
     for (const PointMotion &motion : motions_)
       n_rows += motion.motion.rows();
     columns_.assign(n_rows, Eigen::VectorXd());
@@ -193,16 +197,18 @@ namespace vfife
       {
         body.watched.clear();
         std::vector<CyclicStatics::Watched> of_body;
-        for (unsigned int k = 0; k < watched_.size(); ++k)
-          if (3 * std::size_t(watched_[k]) >= body.first &&
-              3 * std::size_t(watched_[k]) < body.first + body.n)
-            {
-              const unsigned int first = body.first / 3;
-              body.watched.push_back(k);
-              of_body.push_back({watched_[k] - first, weights_[k]});
-              for (auto &weight : of_body.back().weights)
-                weight.first -= first;
-            }
+        for (unsigned int k = 0; k < weights_.size(); ++k)
+          {
+            const bool         on_part = k >= watched_.size();
+            const unsigned int point = on_part ? surface_points_[k - watched_.size()] : watched_[k],
+                               first = body.first / 3;
+            if (point < first || point >= first + body.n / 3)
+              continue;
+            body.watched.push_back(k);
+            of_body.push_back({point - first, weights_[k], on_part});
+            for (auto &weight : of_body.back().weights)
+              weight.first -= first;
+          }
         body.statics->watch(std::move(of_body));
       }
   }
@@ -210,9 +216,9 @@ namespace vfife
   Eigen::VectorXd Compliance::at_rows(const std::vector<double> &u) const
   {
     Eigen::VectorXd values(columns_.size());
-    for (std::size_t k = 0; k < watched_.size(); ++k)
+    for (std::size_t k = 0; k < weights_.size(); ++k)
       values.segment<3>(3 * k) = compute_mean(weights_[k], u);
-    std::size_t row = 3 * watched_.size();
+    std::size_t row = first_motion_row();
     for (const PointMotion &motion : motions_)
       {
         values.segment(row, motion.motion.rows()) = motion.displacement(u);
@@ -224,11 +230,11 @@ namespace vfife
   std::vector<double> Compliance::spread(const Eigen::VectorXd &force) const
   {
     std::vector<double> all(spun_.size(), 0.);
-    for (std::size_t k = 0; k < watched_.size(); ++k)
+    for (std::size_t k = 0; k < weights_.size(); ++k)
       for (const auto &[point, weight] : weights_[k])
         Eigen::Map<Vector3>(all.data() + 3 * std::size_t(point)) +=
           weight * force.segment<3>(3 * k);
-    std::size_t row = 3 * watched_.size();
+    std::size_t row = first_motion_row();
     for (const PointMotion &motion : motions_)
       {
         motion.add_forces(force.segment(row, motion.motion.rows()), all);
@@ -249,8 +255,8 @@ namespace vfife
 
   void Compliance::prepare(const std::vector<unsigned int> &rows)
   {
-    // Row 3 k + c is the component c at the watched point k, rows of motions follow. A column of
-    // A = K^-1 is solved for when a force first acts there, and kept.
+    // Row 3 k + c is the component c at the watched or surface point k, then of motions. A column
+    // of A = K^-1 is solved for when a force first acts there, and kept.
     std::vector<unsigned int> missing;
     for (const unsigned int row : rows)
       if (columns_[row].size() == 0)

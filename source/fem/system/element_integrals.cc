@@ -76,6 +76,41 @@ namespace vfife
       return {{evaluate_degree(1), evaluate_degree(2), evaluate_degree(3)}};
     }
 
+    unsigned int degree_of_face(const std::size_t n_points)
+    {
+      return n_points == 4 ? 1 : (n_points == 9 ? 2 : 3);
+    }
+
+    /** A face's rule on each of its parts. */
+    std::vector<std::vector<ReferencePoint>> evaluate_parts(const unsigned int degree)
+    {
+      const std::vector<double>                places = places_along(degree);
+      const dealii::QGauss<2>                  rule(degree + 2);
+      std::vector<std::vector<ReferencePoint>> parts;
+      for (unsigned int j = 0; j < degree; ++j)
+        for (unsigned int i = 0; i < degree; ++i)
+          {
+            const dealii::Point<2> low(places[i], places[j]);
+            const dealii::Point<2> size(places[i + 1] - places[i], places[j + 1] - places[j]);
+            std::vector<dealii::Point<2>> points;
+            std::vector<double>           weights;
+            for (unsigned int q = 0; q < rule.size(); ++q)
+              {
+                points.emplace_back(low[0] + size[0] * rule.point(q)[0],
+                                    low[1] + size[1] * rule.point(q)[1]);
+                weights.push_back(size[0] * size[1] * rule.weight(q));
+              }
+            parts.push_back(evaluate(degree, dealii::Quadrature<2>(points, weights)));
+          }
+      return parts;
+    }
+
+    FacePoint map_face_point(const ReferencePoint &reference, const ElementNodes &X)
+    {
+      const Eigen::Matrix<double, 3, 2> tangents = X * reference.gradients.transpose();
+      return {reference.N, reference.weight * tangents.col(0).cross(tangents.col(1))};
+    }
+
     std::vector<ElementPoint> map_points(const std::vector<ReferencePoint> &references,
                                          const ElementNodes                &X)
     {
@@ -155,17 +190,33 @@ namespace vfife
     return least;
   }
 
+  std::vector<std::vector<FacePartPoint>> compute_face_part_points(const ElementNodes &X)
+  {
+    static const std::array<std::vector<std::vector<ReferencePoint>>, 3> references = {
+      {evaluate_parts(1), evaluate_parts(2), evaluate_parts(3)}};
+    const unsigned int                      degree = degree_of_face(X.cols());
+    const dealii::QGauss<2>                 rule(degree + 2);
+    std::vector<std::vector<FacePartPoint>> parts;
+    for (const std::vector<ReferencePoint> &of_part : references[degree - 1])
+      {
+        parts.emplace_back();
+        for (unsigned int q = 0; q < of_part.size(); ++q)
+          {
+            const double s = rule.point(q)[0], t = rule.point(q)[1];
+            parts.back().push_back({map_face_point(of_part[q], X),
+                                    {(1. - s) * (1. - t), s * (1. - t), s * t, (1. - s) * t}});
+          }
+      }
+    return parts;
+  }
+
   std::vector<FacePoint> compute_face_points(const ElementNodes &X)
   {
     static const OfDegrees references = for_degrees(
       [](const unsigned int degree) { return evaluate(degree, dealii::QGauss<2>(degree + 2)); });
-    const unsigned int     degree = X.cols() == 4 ? 1 : (X.cols() == 9 ? 2 : 3);
     std::vector<FacePoint> points;
-    for (const ReferencePoint &reference : references[degree - 1])
-      {
-        const Eigen::Matrix<double, 3, 2> tangents = X * reference.gradients.transpose();
-        points.push_back({reference.N, reference.weight * tangents.col(0).cross(tangents.col(1))});
-      }
+    for (const ReferencePoint &reference : references[degree_of_face(X.cols()) - 1])
+      points.push_back(map_face_point(reference, X));
     return points;
   }
 

@@ -41,11 +41,13 @@ namespace vfife
     std::vector<double> solve(const std::vector<double> &forces) const;
 
     /** A point of the body, numbered from its first one, and the points and weights by which it
-     * moves and takes forces. Points that are copies of each other have weights that are. */
+     * moves and takes forces. Points that are copies of each other have weights that are, among
+     * those of the same kind. */
     struct Watched
     {
       unsigned int point;
       PointWeights weights;
+      unsigned int kind;
     };
     /** The points between which column() computes displacements. Throws InputError where one has
      * weights in another sector than its own. */
@@ -106,8 +108,12 @@ namespace vfife
     Eigen::MatrixXd pin_fields_;                               ///< of all points, two columns
     Eigen::Matrix2d pin_compliance_ = Eigen::Matrix2d::Zero(); ///< that the pin takes away
 
+    /** Of a watched point in sector 0, and the point's kind. */
+    using Copy = std::pair<unsigned int, unsigned int>;
+    Copy copy_of(const Watched &watched) const;
+
     std::vector<Watched>                    watched_;
-    std::vector<unsigned int>               locals_;      ///< their copies in sector 0
+    std::vector<Copy>                       locals_;      ///< those of them in sector 0
     std::map<unsigned int, Eigen::MatrixXd> flexibility_; ///< by the sectors from force to answer
   };
 } // namespace vfife

@@ -30,8 +30,10 @@ namespace vfife
   /** Where a cell lies on one of the surfaces. */
   struct CellFoot
   {
-    std::array<unsigned int, 4> nodes{};   ///< surface nodes
-    std::array<double, 4>       weights{}; ///< bilinear
+    unsigned int                facet = 0;
+    Vector2                     place = Vector2::Zero(); ///< (xi, eta) on the facet
+    std::array<unsigned int, 4> nodes{};                 ///< surface nodes
+    std::array<double, 4>       weights{};               ///< bilinear
   };
 
   /** A cell of the grid where both surfaces face each other. */
@@ -51,6 +53,11 @@ namespace vfife
     ContactCell cell;
     double      area = 0; ///< undeformed, with the fading at the master's border [mm^2]
   };
+
+  /** Coordinates (xi, eta) of a plane quadrilateral with these @p corners in cyclic order whose
+   * point is @p target, by Newton's method; says whether it is inside. */
+  bool
+  find_in_quadrilateral(const std::array<Vector2, 4> &corners, const Vector2 &target, Vector2 &xi);
 
   /** The points of a @p rule on the slave's facets with gaps below @p reach [mm]. @p edge_fading:
    * ContactOptions::edge_fading. */

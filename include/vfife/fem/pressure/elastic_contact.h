@@ -10,17 +10,47 @@
 
 namespace vfife
 {
+  /** Corners (xi, eta) of a facet in cyclic order. */
+  inline const std::array<Vector2, 4> unit_square = {
+    {Vector2(0., 0.), Vector2(1., 0.), Vector2(1., 1.), Vector2(0., 1.)}};
+
+  /** A quadrilateral between points of the elements on a facet (FacetParts). */
+  struct FlankPart
+  {
+    std::array<Vector2, 4>      corners;     ///< (xi, eta) on the facet
+    std::array<unsigned int, 4> places;      ///< of its points among those of the flexibility
+    std::array<unsigned int, 4> near_places; ///< of its points among near->points
+    /** Displacements of its points, without those of the facet there: bilinear between its nodes
+     * [mm]. */
+    std::array<Vector3, 4> bulges;
+  };
+
+  /** Where and with which weights a force acts. */
+  struct FlankFoot
+  {
+    const FlankPart      *part = nullptr;
+    std::array<double, 4> weights{}; ///< of the part's corners
+
+    /** Of the bulges [mm]. */
+    Vector3 bulge() const;
+  };
+
   /** What a surface in contact belongs to. */
   struct ElasticFlank
   {
     const NearLayer *near = nullptr;
-    /** By surface node: the place among the points of the flexibility, and among near->points. */
-    std::vector<unsigned int> places, near_places;
+    /** By surface node: the place among the points of the flexibility. */
+    std::vector<unsigned int> places;
+    /** By facet; of those of the tooth. */
+    std::vector<std::vector<FlankPart>> parts;
     Matrix3 rotation       = Matrix3::Identity();   ///< axes of the flexibility to the fixed frame
     double  youngs_modulus = 0, poissons_ratio = 0; ///< [MPa], [-]
     const BondedLayer *held = nullptr;              ///< ElasticLayer::held
 
     static constexpr unsigned int no_place = static_cast<unsigned int>(-1);
+
+    /** Of the part in which a foot lies. */
+    FlankFoot find(const CellFoot &foot) const;
   };
 
   /** Two groups of facets that may touch; flanks of slave and master. */

@@ -6,6 +6,7 @@
 #include <vfife/fem/pressure/flank_pair.h>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace vfife
@@ -64,7 +65,7 @@ namespace vfife
     FemSpace                           space_;
     FlankPair                          flanks_;
     double                             depth_limit_; ///< deepest penetration taken for contact [mm]
-    std::vector<unsigned int>          places_;      ///< of points of tooth 0 among the rows
+    std::unique_ptr<const PointPlaces> places_;      ///< of points of tooth 0
     Eigen::MatrixXd                    flexibility_; ///< of tooth 0 of both members [mm/N]
     std::array<std::vector<double>, 2> forces_;      ///< of the state
   };

@@ -18,7 +18,7 @@ namespace vfife
   {
     std::vector<unsigned int> points; ///< of the patch
     std::vector<double>       depths; ///< from each of them to the nearest point that is held [mm]
-    /** Three rows per point, axes of time zero [mm/N]; points move as NodeAverages says. */
+    /** Three rows per point, axes of time zero [mm/N]; points move as their means say. */
     Eigen::MatrixXd flexibility;
     unsigned int    n_layers = 0; ///< of elements
 
@@ -28,13 +28,14 @@ namespace vfife
   /**
    * As many layers of elements as make the mean depth @p depth [mm], or as there are before they
    * come to the points @p others (the other side of a tooth); at least one. Divided elements count
-   * as the one of the body that they are parts of. @p edges: sides of the elements' faces on the
-   * patch that lie on edges of the body, by their points.
+   * as the one of the body that they are parts of. @p means: by which the points of the @p patch
+   * move and take forces. @p edges: sides of the elements' faces on the patch that lie on edges of
+   * the body, by their points.
    * Throws InputError where one layer comes to those, or is not held.
    */
   NearLayer find_near_layer(const FemSpace                  &space,
                             std::vector<unsigned int>        patch,
-                            const NodeAverages              &averages,
+                            std::vector<PointWeights>        means,
                             const std::vector<unsigned int> &others,
                             double                           depth,
                             const PointPairs                &edges = {});

@@ -44,11 +44,11 @@ namespace vfife
     ContactLoad make_load(const PairEquilibrium       &equilibrium,
                           const PairEquilibriumResult &result) const;
 
-    Compliance               &compliance_;
-    const Model              &model_;
-    unsigned int              cells_across_;
-    FlankPair                 flanks_;
-    std::vector<unsigned int> places_; ///< of points among the watched ones
+    Compliance  &compliance_;
+    const Model &model_;
+    unsigned int cells_across_;
+    FlankPair    flanks_;
+    PointPlaces  places_;
   };
 } // namespace vfife
 

@@ -5,6 +5,7 @@
 #include <vfife/fem/cyclic/cyclic_statics.h>
 #include <vfife/fem/fem_options.h>
 #include <vfife/fem/solvers/direct_solver.h>
+#include <vfife/fem/statics/facet_parts.h>
 #include <vfife/fem/statics/node_averages.h>
 #include <vfife/fem/statics/standing_motion.h>
 
@@ -82,15 +83,26 @@ namespace vfife
       return standing_;
     }
 
-    /** Points and motions of points at which displacements under unit forces are kept: 3 rows per
-     * point, in this order, behind them those of the motions. Nodes of surfaces in contact move and
-     * take forces as NodeAverages says. Forgets what is known, but for the points that are watched
-     * already where there are no motions. */
+    /** Points and motions of points at which displacements under unit forces are kept. Rows: three
+     * per point in this order, three per surface_points(), those of the motions. Nodes of surfaces
+     * in contact move and take forces as NodeAverages says. Forgets what is known, but for the
+     * points that are watched already where there are no motions. */
     void watch(std::vector<unsigned int> points, std::vector<PointMotion> motions = {});
 
     const std::vector<unsigned int> &watched() const
     {
       return watched_;
+    }
+    /** Corners of FacetParts on the facets whose nodes are watched. They move and take forces as
+     * those say; none where elements have no points between the nodes. */
+    const std::vector<unsigned int> &surface_points() const
+    {
+      return surface_points_;
+    }
+    /** The first row of the motions. */
+    std::size_t first_motion_row() const
+    {
+      return 3 * weights_.size();
     }
     /** By which a watched point moves and takes forces. */
     const PointWeights &weights(const unsigned int watched) const
@@ -158,8 +170,9 @@ namespace vfife
     std::vector<unsigned int>     turning_; ///< bodies free to turn
     std::vector<unsigned int>     pinned_;  ///< of these, whose hub is no constraint
     NodeAverages                  averages_;
-    std::vector<unsigned int>     watched_;
-    std::vector<PointWeights>     weights_; ///< of the watched points
+    FacetParts                    facet_parts_;
+    std::vector<unsigned int>     watched_, surface_points_;
+    std::vector<PointWeights>     weights_; ///< of the watched and the surface points
     std::vector<PointMotion>      motions_; ///< watched as well
     std::vector<Eigen::VectorXd>  columns_; ///< empty: not known
     unsigned int                  n_prepared_ = 0;

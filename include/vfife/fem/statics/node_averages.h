@@ -5,12 +5,9 @@
 #include <vfife/fem/system/fem_space.h>
 
 #include <map>
-#include <vector>
 
 namespace vfife
 {
-  struct BoundaryFace;
-
   /**
    * The motion of a node of a surface in contact where elements have points between the nodes. A
    * force on one point would dent them. A contact force on a node is therefore a traction on the
@@ -31,11 +28,6 @@ namespace vfife
     PointWeights of(unsigned int point) const;
 
   private:
-    /** Of the faces of a part. */
-    void add_faces(const FemSpace                  &space,
-                   const FemSpace::Part            &part,
-                   const std::vector<BoundaryFace> &faces);
-
     std::map<unsigned int, PointWeights> means_; ///< by point
   };
 } // namespace vfife

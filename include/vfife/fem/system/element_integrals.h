@@ -82,6 +82,18 @@ namespace vfife
    */
   std::vector<FacePoint> compute_face_points(const ElementNodes &X);
 
+  /** A point of a part of a face, with the bilinear functions of the part's corners in cyclic
+   * order. */
+  struct FacePartPoint : public FacePoint
+  {
+    Eigen::Vector4d bilinear;
+  };
+
+  /** Degree + 2 Gauss points along each side of the degree x degree parts of a face between its
+   * points @p X, those from corner 0 to 1 fastest; the functions are bilinear in the reference
+   * coordinates. */
+  std::vector<std::vector<FacePartPoint>> compute_face_part_points(const ElementNodes &X);
+
   /** Derivatives of a face's shape functions, a column each, along its two sides at its @p degree x
    * @p degree Gauss points, where derivatives of displacements are most accurate. */
   const std::vector<Eigen::MatrixXd> &face_gradients(unsigned int degree);
