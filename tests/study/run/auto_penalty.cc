@@ -57,8 +57,10 @@ int main(int argc, char **argv)
   Communicator world  = session.world();
   const Curve  grid   = analyse({}, world),
               springs = analyse({"Loaded contact/pressure cells=0"}, world),
-              given =
-                analyse({"Contact/penalty=1071025", "Loaded contact/pressure cells=0"}, world);
+              given = analyse({"Contact/penalty=1071025",
+                               "Loaded contact/pressure cells=0",
+                               "Loaded contact/positions=1"},
+                              world);
   check("positions", grid.size() == 3 && springs.size() == 3);
   // At 16 positions at most 0.25 and 0.09 rms; here less.
   check_below("springs of the points less own grid [arcsec]", largest_distance(springs, grid), .15);
