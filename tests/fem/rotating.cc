@@ -219,7 +219,7 @@ namespace
     sector(make_wheel(turn, turn * z), {true}, {3000.}, communicator);
     for (const FemElement element : {FemElement::quadratic, FemElement::cubic})
       sector(
-        make_wheel(turn, turn * z, {{2, 12, 1}}), {false, true}, {3000.}, communicator, element);
+        make_wheel(turn, turn * z, {{1, 12, 1}}), {false, true}, {3000.}, communicator, element);
     // Spin about another line is not the same for all sectors, nor is a hub.
     const auto refuses = [&communicator](const Model &model) {
       FemOptions options;

@@ -2,7 +2,7 @@
 // The preloaded start by factors of the conventional stiffness is that by dynamic relaxation, and
 // is found where Newton's method goes round.
 #include "../../tests.h"
-#include "../quick_pair.h"
+#include "../few_teeth.h"
 
 #include <vfife/base/process/mpi_session.h>
 
@@ -19,12 +19,12 @@ namespace
       {
         std::filesystem::remove_all(folder);
         std::ofstream(folder + ".prm")
-          << quick_pair("set web = conical\nset web thickness = 5 mm\nset web angle = 70 deg",
-                        coarse_web,
-                        "1e-6")
+          << few_teeth("set web = conical\nset web thickness = 5 mm\nset web angle = 70 deg",
+                       coarse_web)
+          << "subsection Operation\n  set speed = 20000 rpm\n  set torque = 800 N m\nend\n"
           << "subsection Dynamics\n  set largest number of steps = 1\n  set start solver = "
           << solver
-          << "\nend\n"
+          << "\n  subsection Relaxation\n    set tolerance = 1e-6\n  end\nend\n"
           // Of the first instant, not of the first step.
           << "subsection Contact\n  set integration = explicit\nend\n";
       }

@@ -100,6 +100,8 @@ namespace
     for (const std::string member : {"Pinion", "Gear"})
       for (const char *cells : {"cells lengthwise=2", "flank rows=2"})
         entries.push_back("Gear pair/" + member + "/Mesh/" + cells);
+    for (const char *cells : {"web layers=1", "web rows=3", "hub rows=1", "hub side cells=1"})
+      entries.push_back(std::string("Gear pair/Gear/Mesh/") + cells);
     run_pair(tree_folder() + "/prm/waves/run_up.prm", "shipped", world, entries);
     const auto orders  = read_columns("shipped/orders.csv"),
                history = read_columns("shipped/history.csv");

@@ -86,7 +86,7 @@ namespace
 
   void slow_run(Communicator &world)
   {
-    const std::string pair = on_shafts() + operation("1000 rpm");
+    const std::string pair = on_shafts() + operation("1700 rpm");
     run_pair(write("slow_loaded",
                    kind("loaded tooth contact analysis") + pair +
                      "subsection Loaded contact\nset positions = 8\nend\n"),
