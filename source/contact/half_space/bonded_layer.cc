@@ -16,6 +16,9 @@ namespace vfife
     constexpr double       largest_wave = 20.;
     constexpr unsigned int n_waves      = 500;
 
+    /** Double precision suffices: Simpson's rule is good to 1e-12. */
+    using Precision = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+
     /** int du dv/sqrt(u^2 + v^2) over a rectangle between 0 and (u, v), with the sign of u v. */
     double corner_integral(const double u, const double v)
     {
@@ -61,7 +64,7 @@ namespace vfife
       {
         double sum = 0.;
         for (unsigned int i = 0; i <= n_waves; ++i)
-          sum += weights[i] * boost::math::cyl_bessel_j(0, i * dk * j * step);
+          sum += weights[i] * boost::math::cyl_bessel_j(0, i * dk * j * step, Precision());
         values_.push_back(sum);
       }
   }
