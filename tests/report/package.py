@@ -14,7 +14,8 @@ import vfife_report
 from vfife_report import plot_table
 from vfife_report.page.folder_chapters import LEDGER, TABLE_CHAPTERS
 from vfife_report.page.page import TEMPLATES
-from vfife_report.page.run_chapters import RUN_CHAPTERS
+from vfife_report.page.result_chapters import RESULTS
+from vfife_report.page.run_chapters import CASE_CHAPTERS, PICTURE_CHAPTERS
 from vfife_report.page.study_chapters import STUDY_CHAPTERS
 from vfife_report.plots import style
 
@@ -23,7 +24,7 @@ PACKAGE = Path(vfife_report.__file__).parent
 ROOMS = ("data", "measures", "plots", "pictures", "plot_table", "page", "command", "__main__")
 # Rows of plots and chapters of the same report.
 REPORTS = {"run": (plot_table.RUN_PLOTS + plot_table.FIELD_PICTURES + plot_table.TABLE_PLOTS,
-                   RUN_CHAPTERS + (LEDGER,) + TABLE_CHAPTERS),
+                   (RESULTS,) + PICTURE_CHAPTERS + (LEDGER,) + TABLE_CHAPTERS + CASE_CHAPTERS),
            "study": (plot_table.STUDY_PLOTS + plot_table.TABLE_PLOTS,
                      (LEDGER,) + STUDY_CHAPTERS + TABLE_CHAPTERS)}
 

@@ -194,7 +194,7 @@ class Pages(unittest.TestCase):
                     f"{column}, {what}" for column in ("dte", "rim dte") for what in ("peak to peak", "standard deviation")])
                 self.assertEqual("The ripple is not steady" in text, not steady)
                 self.assertIn("✓ met" if steady else "✗ not met",
-                              text[text.index("ripple, first half against second"):].split("</tr>")[0])
+                              text[text.index("<td>ripple, first half against second"):].split("</tr>")[0])
 
     def test_part(self):
         """What figures are of: not of a steady part where none was found."""
@@ -222,6 +222,29 @@ class Pages(unittest.TestCase):
             for data in re.findall("Data: <code>(.*?)</code>", text):
                 self.assertTrue((Path(name) / data).is_file(), data)
 
+    def test_results(self):
+        """The first chapter has the main results, each with its accuracy, and checks that are not met."""
+        for steady in (True, False):
+            with tempfile.TemporaryDirectory() as name:
+                write_run(Path(name), fields=False)
+                summary = make_summary()
+                summary["steady part"].update(found=True, ripple={"judged": True, "steady": steady})
+                summary["steady part"]["columns"]["contact force total"] = {"mean": 8900.0, "peak to peak": 500.0,
+                                                                            "standard deviation": 100.0, "unit": "N"}
+                (Path(name) / "summary.json").write_text(json.dumps(summary))
+                make_page(name)
+                text = self.read(name)
+                first = text[text.index(">Results</h2>"):text.index(">Transmission error</h2>")]
+                for words in ("transmission error, mean", "transmission error, peak to peak", "contact force, peak to peak",
+                              "contact pressure (Hertz), largest"):
+                    self.assertIn(f"<td>{words}</td>", first)
+                self.assertLessEqual(first.count("<tr>"), 6)
+                self.assertEqual("steady in time, one mesh" in first.replace("not steady in time", ""), steady)
+                self.assertEqual("ripple, first half against second" in first[first.index("Checks that are not met"):], not steady)
+                trust = text[text.index(">How far to trust</h2>"):]
+                row = trust[trust.index("ripple of transmission error and forces"):].split("</tr>")[0]
+                self.assertIn(f"<td>{'yes' if steady else 'no'}</td>", row)
+
     def test_killed(self):
         """A run without summary: histories over time, nothing over tooth meshes."""
         with tempfile.TemporaryDirectory() as name:
@@ -229,9 +252,8 @@ class Pages(unittest.TestCase):
             (Path(name) / "summary.json").unlink()
             main([name])
             chapters = re.findall("<h2.*?>(.*?)</h2>", self.read(name))
-            self.assertEqual(chapters, ["The case", "Key figures", "Transmission error", "Contact",
-                                        "Stress at the probes", "Motion of the rim",
-                                        "Energy and damping", "Checks", "Words"])
+            self.assertEqual(chapters, ["Results", "Transmission error", "Contact", "Stress at the probes", "Motion of the rim",
+                                        "Key figures", "The case", "Energy and damping", "Checks", "Words"])
 
     def test_missing_library(self):
         """One line, and the exit code that asks for another Python."""

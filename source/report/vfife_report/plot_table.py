@@ -80,7 +80,7 @@ RUN_PLOTS = (
 # Of the scene of a run's last fields.
 FIELD_PICTURES = (
     PlotRow("bodies.png", (), draw_bodies,
-            "The bodies with the elements' edges and von Mises stress.", "The case"),
+            "The bodies with the elements' edges and von Mises stress.", "Results"),
     PlotRow("teeth_in_mesh.png", (is_in_mesh,), draw_teeth_in_mesh,
             "Teeth in mesh: section and contact pressure.", "Contact"),
     PlotRow("meridian_section.png", (is_in_mesh,), draw_meridian_section,

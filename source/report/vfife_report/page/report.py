@@ -7,7 +7,8 @@ from .chapter import add_chapters
 from .folder_chapters import LEDGER, TABLE_CHAPTERS
 from .glossary import add_words
 from .page import Page
-from .run_chapters import RUN_CHAPTERS
+from .result_chapters import RESULTS
+from .run_chapters import CASE_CHAPTERS, PICTURE_CHAPTERS
 from .study_chapters import STUDY_CHAPTERS
 from .words import make_title
 
@@ -23,7 +24,7 @@ def make_report(source):
         add_chapters(page, STUDY_CHAPTERS, source, drawn)
         add_chapters(page, TABLE_CHAPTERS, source.folder, drawn)
     else:
-        add_chapters(page, RUN_CHAPTERS + (LEDGER,) + TABLE_CHAPTERS, source, drawn)
+        add_chapters(page, (RESULTS,) + PICTURE_CHAPTERS + (LEDGER,) + TABLE_CHAPTERS + CASE_CHAPTERS, source, drawn)
     add_words(page)
     return page
 

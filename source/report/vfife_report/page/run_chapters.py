@@ -15,17 +15,13 @@ from ..measures.sidebands import SIDEBANDS_HEADER, list_sidebands
 from ..measures.waves import list_wave_lines
 from .chapter import Chapter
 from .parts import EXACT, Cells, Paragraph, list_values
-from .words import list_case_rows, list_geometry_rows, list_model_rows, list_sentences
+from .result_chapters import TRUST
+from .words import list_case_rows, list_geometry_rows, list_model_rows
 
 SOLVED = 1e-5  # of the largest: what equations of an equilibrium are solved to
 
 
 def tell_case(run, plots):
-    failure = run.summary.get("failure")
-    if failure:
-        yield Paragraph(f"The run failed: {failure}", "alarm")
-    for sentence in list_sentences(run):
-        yield Paragraph(sentence)
     yield Cells(["", "value used"], list(list_case_rows(run)))
     if run.geometry:
         yield Cells(["geometry", "unit", "pinion", "gear"], list(list_geometry_rows(run.geometry)),
@@ -36,7 +32,6 @@ def tell_case(run, plots):
     if run.parameters and run.parameters.get("Study/kind") != "compare":
         yield Paragraph("All parameters that were used: parameters.prm in the run's folder, where 0 stands for a size that was "
                         "derived.", "soft")
-    yield from plots
 
 
 def tell_quantities(run, plots):
@@ -175,9 +170,8 @@ def tell_computation(run, plots):
     yield Paragraph(f"Program version {origin[0]}, revision {origin[1]}{kernels}.", "soft")
 
 
-RUN_CHAPTERS = (
-    Chapter("The case", tell_case),
-    Chapter("Key figures", tell_quantities),
+# Pictures and what belongs to them come before tables.
+PICTURE_CHAPTERS = (
     Chapter("Transmission error", tell_transmission_error),
     Chapter("Contact", tell_contact),
     Chapter("Spectra and periodicity", tell_spectra),
@@ -185,7 +179,11 @@ RUN_CHAPTERS = (
     Chapter("Stress at the probes", tell_probes),
     Chapter("Motion of the probes"),
     Chapter("Motion of the rim", tell_rim),
-    Chapter("Sections"),
+    Chapter("Sections"))
+CASE_CHAPTERS = (
+    Chapter("Key figures", tell_quantities),
+    Chapter("The case", tell_case),
     Chapter("Energy and damping", tell_energy),
     Chapter("Checks", tell_checks),
+    TRUST,
     Chapter("The computation", tell_computation))
