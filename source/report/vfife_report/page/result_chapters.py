@@ -6,6 +6,8 @@ from .chapter import Chapter
 from .parts import Cells, Paragraph
 from .words import list_sentences
 
+RESULT_DIGITS = 4  # of few numbers that are read first
+
 
 def tell_results(run, plots):
     failure = run.summary.get("failure")
@@ -15,9 +17,9 @@ def tell_results(run, plots):
         yield Paragraph(sentence)
     rows = list_main_results(run)
     if any(row[-1] for row in rows):
-        yield Cells(["result", "value", "unit", "accuracy"], rows)
+        yield Cells(["result", "value", "unit", "accuracy"], rows, digits=RESULT_DIGITS)
     else:
-        yield Cells(["result", "value", "unit"], [row[:-1] for row in rows])
+        yield Cells(["result", "value", "unit"], [row[:-1] for row in rows], digits=RESULT_DIGITS)
     unmet = [name for name, _, _, verdict in list_checks(run) if verdict == "not met"]
     if unmet:
         yield Paragraph(f"Checks that are not met: {'; '.join(unmet)}.", "alarm")
