@@ -64,12 +64,4 @@ namespace vfife
         }
     return found;
   }
-
-  ElementNodes places_of(const FemSpace &space, const std::vector<unsigned int> &points)
-  {
-    ElementNodes X(3, points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-      X.col(i) = space.points()[points[i]];
-    return X;
-  }
 } // namespace vfife

@@ -2,7 +2,6 @@
 #ifndef vfife_fem_statics_dual_means_h
 #define vfife_fem_statics_dual_means_h
 
-#include <vfife/fem/system/element_integrals.h>
 #include <vfife/fem/system/fem_space.h>
 
 #include <array>
@@ -52,9 +51,6 @@ namespace vfife
    * between the nodes. */
   std::vector<std::pair<const FemSpace::Part *, std::vector<BoundaryFace>>>
   find_divided_faces(const FemSpace &space);
-
-  /** Places of points [mm], a column each. */
-  ElementNodes places_of(const FemSpace &space, const std::vector<unsigned int> &points);
 } // namespace vfife
 
 #endif

@@ -4,6 +4,7 @@
 #include <vfife/contact/search/local_search.h>
 #include <vfife/fem/statics/facet_parts.h>
 #include <vfife/fem/system/element_integrals.h>
+#include <vfife/fem/system/load_forces.h>
 #include <vfife/model/load_shares.h>
 
 #include <algorithm>
@@ -44,9 +45,9 @@ namespace vfife
           for (unsigned int k = 0; k < 4; ++k)
             facet[k] = part->first_point + face.nodes[k];
           std::vector<Corners> &own = parts_[ascending(facet)];
-          for (const auto &points : space.points_on_face(*part, face.element, face.number))
+          for (const auto &[points, X] : points_of_face(space, *part, face))
             {
-              const auto   parts  = compute_face_part_points(places_of(space, points));
+              const auto   parts  = compute_face_part_points(X);
               unsigned int number = 0;
               for (unsigned int j = 0; j + 1 < n; ++j)
                 for (unsigned int i = 0; i + 1 < n; ++i)

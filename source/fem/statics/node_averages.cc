@@ -5,6 +5,7 @@
 #include <vfife/fem/statics/facet_parts.h>
 #include <vfife/fem/statics/node_averages.h>
 #include <vfife/fem/system/element_integrals.h>
+#include <vfife/fem/system/load_forces.h>
 #include <vfife/model/load_shares.h>
 
 namespace vfife
@@ -23,19 +24,16 @@ namespace vfife
               corners[k] = space.points()[nodes[k]];
             }
           DualMeans::Quadrilateral facet;
-          for (const auto &points : space.points_on_face(*part, face.element, face.number))
-            {
-              const ElementNodes X = places_of(space, points);
-              for (const FacePoint &at : compute_face_points(X))
-                {
-                  const Vector2 place = place_on_facet(corners, X * at.N);
-                  const auto    phi   = bilinear_weights(place[0], place[1]);
-                  facet.add(at.normal.norm(),
-                            Eigen::Map<const Eigen::Vector4d>(phi.data()),
-                            points,
-                            at.N);
-                }
-            }
+          for (const auto &[points, X] : points_of_face(space, *part, face))
+            for (const FacePoint &at : compute_face_points(X))
+              {
+                const Vector2 place = place_on_facet(corners, X * at.N);
+                const auto    phi   = bilinear_weights(place[0], place[1]);
+                facet.add(at.normal.norm(),
+                          Eigen::Map<const Eigen::Vector4d>(phi.data()),
+                          points,
+                          at.N);
+              }
           means.add(facet, nodes);
         }
     means_ = means.find();

@@ -10,23 +10,22 @@
 
 namespace vfife
 {
+  std::vector<std::pair<std::vector<unsigned int>, ElementNodes>>
+  points_of_face(const FemSpace &space, const FemSpace::Part &part, const BoundaryFace &face)
+  {
+    std::vector<std::pair<std::vector<unsigned int>, ElementNodes>> faces;
+    for (const auto &points : space.points_on_face(part, face.element, face.number))
+      {
+        ElementNodes X(3, points.size());
+        for (std::size_t i = 0; i < points.size(); ++i)
+          X.col(i) = space.points()[points[i]];
+        faces.emplace_back(points, X);
+      }
+    return faces;
+  }
+
   namespace
   {
-    /** The points of the elements' faces on a face of the body, and their places. */
-    std::vector<std::pair<std::vector<unsigned int>, ElementNodes>>
-    points_of_face(const FemSpace &space, const FemSpace::Part &part, const BoundaryFace &face)
-    {
-      std::vector<std::pair<std::vector<unsigned int>, ElementNodes>> faces;
-      for (const auto &points : space.points_on_face(part, face.element, face.number))
-        {
-          ElementNodes X(3, points.size());
-          for (std::size_t i = 0; i < points.size(); ++i)
-            X.col(i) = space.points()[points[i]];
-          faces.emplace_back(points, X);
-        }
-      return faces;
-    }
-
     /** Areas [mm^2] of the points on faces of the body, integrals of the shape functions; those of
      * other sectors than the space has are left out. */
     std::map<unsigned int, double> point_areas(const FemSpace                  &space,

@@ -9,6 +9,12 @@
 
 namespace vfife
 {
+  struct BoundaryFace;
+
+  /** The points of the elements' faces on a face of the body, and their places [mm]. */
+  std::vector<std::pair<std::vector<unsigned int>, ElementNodes>>
+  points_of_face(const FemSpace &space, const FemSpace::Part &part, const BoundaryFace &face);
+
   /**
    * Adds a load of the model times @p factor to forces at all points (3 a point) [N]: the nodal
    * forces of explicit dynamics in the undeformed places; of degree 2 and 3 and of divided
