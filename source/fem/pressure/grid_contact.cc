@@ -22,8 +22,13 @@ namespace vfife
     constexpr unsigned int most_grids = 8;
     /** A contact that carries less of the load keeps its first grid. */
     constexpr double least_part = 0.02;
-    /** Cells that are looked at first, the nearest ones, and at most, of a contact. */
-    constexpr std::size_t first_cells = 400, most_cells = 6000;
+    /** Cells of a contact that are looked at, the nearest ones: on its first grid, and at most. */
+    constexpr std::size_t first_cells = 150, most_cells = 6000;
+    /** The same over the cells that carry by the grid before: the nearest cells are not quite the
+     * ones that carry. */
+    constexpr double taken_per_loaded = 1.5;
+    /** Cells on each side of one that carries which are looked at, too. */
+    constexpr int beside = 1;
     /** A long contact has three times as many cells along as across, and these are at most so many
      * times as long as they are wide. */
     constexpr double most_stretch = 8.;
@@ -43,7 +48,9 @@ namespace vfife
   }
 
 
-  GridOfContact::GridOfContact(const ElasticContact &contact_, const ContactPlane &plane_)
+  GridOfContact::GridOfContact(const ElasticContact &contact_,
+                               const ContactPlane   &plane_,
+                               const std::size_t     n)
     : contact(&contact_)
     , plane(plane_)
     , cells(find_contact_cells(contact_.surfaces, plane_))
@@ -56,7 +63,7 @@ namespace vfife
     });
     for (std::size_t i = 0; i < cells.size(); ++i)
       numbers[cells[i].place] = i;
-    take(first_cells);
+    take(n);
   }
 
 
@@ -89,18 +96,27 @@ namespace vfife
   }
 
 
-  bool GridOfContact::is_cut_off(const Eigen::VectorXd &forces) const
+  bool GridOfContact::extend(const Eigen::VectorXd &forces)
   {
-    for (std::size_t i = 0; i < n_taken; ++i)
+    const std::size_t before = n_taken;
+    std::size_t       n      = n_taken;
+    for (std::size_t i = 0; i < before; ++i)
       if (forces[i] > 0)
-        for (int u = -1; u <= 1; ++u)
-          for (int v = -1; v <= 1; ++v)
+        for (int u = -beside; u <= beside; ++u)
+          for (int v = -beside; v <= beside; ++v)
             {
-              const auto beside = numbers.find({{cells[i].place[0] + u, cells[i].place[1] + v}});
-              if (beside != numbers.end() && beside->second >= n_taken)
-                return true;
+              const auto other = numbers.find({{cells[i].place[0] + u, cells[i].place[1] + v}});
+              if (other == numbers.end() || other->second < n)
+                continue;
+              const std::size_t from = other->second;
+              std::swap(cells[from], cells[n]);
+              numbers[cells[from].place] = from;
+              numbers[cells[n].place]    = n;
+              ++n;
             }
-    return false;
+    if (n > before)
+      take(n);
+    return n > before;
   }
 
 
@@ -300,11 +316,7 @@ namespace vfife
               first += grid.n_taken;
               found.push_back(grid.evaluate(forces, load));
               found.back().closing = result.closing;
-              if (grid.is_cut_off(forces))
-                {
-                  enough = false;
-                  grid.take(grid.n_taken + grid.n_taken / 2);
-                }
+              enough               = !grid.extend(forces) && enough;
             }
           if (enough)
             return found;
@@ -318,19 +330,23 @@ namespace vfife
                                                 const unsigned int                 cells_across)
   {
     std::vector<ContactPlane> planes;
+    std::vector<std::size_t>  n_cells(contacts.size(), first_cells);
     for (const ElasticContact &contact : contacts)
       planes.push_back(place_contact_plane(contact.surfaces, cells_across));
     for (unsigned int i = 0;; ++i)
       {
         std::vector<GridOfContact> grids;
         for (std::size_t k = 0; k < contacts.size(); ++k)
-          grids.emplace_back(contacts[k], planes[k]);
+          grids.emplace_back(contacts[k], planes[k], n_cells[k]);
         std::vector<GridPressure> found = solve_on(grids, load);
         bool                      fine  = i > 0;
         for (std::size_t k = 0; k < contacts.size(); ++k)
           if (found[k].moment > least_part * load.load)
             {
               planes[k] = grids[k].refine(found[k], cells_across);
+              n_cells[k] =
+                std::max(first_cells,
+                         std::size_t(taken_per_loaded * found[k].area / planes[k].sides.prod()));
               // Cells of the same number, but for one at each side that may carry or not.
               fine = fine && std::abs(found[k].width / found[k].plane.sides[1] - cells_across) <=
                                std::max(2., .15 * cells_across);

@@ -13,23 +13,25 @@ namespace vfife
   {
     const ElasticContact                     *contact;
     ContactPlane                              plane;
-    std::vector<ContactCell>                  cells;   ///< all there are, the nearest first
+    std::vector<ContactCell>                  cells;   ///< all there are, those taken first
     std::map<std::array<int, 2>, std::size_t> numbers; ///< of the cells by their places
     std::size_t     n_taken = 0; ///< of the cells that may carry, the first ones
     Eigen::MatrixXd flexibility; ///< of the layers near the surfaces, in these [mm/N]
 
-    GridOfContact(const ElasticContact &contact, const ContactPlane &plane);
+    /** Takes @p n of the cells. */
+    GridOfContact(const ElasticContact &contact, const ContactPlane &plane, std::size_t n);
 
-    /** Throws NumericalError where there are too many. */
-    void take(std::size_t n);
-
-    /** Whether a cell that is not taken lies beside one that carries. */
-    bool is_cut_off(const Eigen::VectorXd &forces) const;
+    /** Takes cells that lie beside one that carries, too; returns whether there were such. */
+    bool extend(const Eigen::VectorXd &forces);
 
     GridPressure evaluate(const Eigen::VectorXd &forces, const ContactLoad &load) const;
 
     /** The plane along what carries, with @p n cells over its width. */
     ContactPlane refine(const GridPressure &found, unsigned int n) const;
+
+  private:
+    /** Takes the first @p n cells. Throws NumericalError where there are too many. */
+    void take(std::size_t n);
   };
 } // namespace vfife
 

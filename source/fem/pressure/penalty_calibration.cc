@@ -267,10 +267,12 @@ namespace vfife
   }
 
 
-  PointPenalties PenaltyCalibration::find()
+  PointPenalties PenaltyCalibration::find(const double lag)
   {
     if (touches_.empty())
       throw NumericalError("no tooth pair is loaded, so that its penalty cannot be found");
+    for (Touch &touch : touches_)
+      touch.gaps -= lag * touch.arms;
     // The points have one field, each touch asks for a factor of it: a few rounds agree.
     const double lowest  = std::log(penalty_ * least_factor),
                  highest = std::log(penalty_ * largest_factor);

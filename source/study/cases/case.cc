@@ -45,6 +45,11 @@ namespace vfife
     return false;
   }
 
+  std::optional<Model> Case::make_reference_model() const
+  {
+    return std::nullopt;
+  }
+
   HertzContact Case::hertz_contact() const
   {
     return {};

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace vfife
 {
@@ -214,6 +215,25 @@ namespace vfife
     const BlankOutline &gear   = pair.gear().blank();
     const double        module = gear.circular_pitch(gear.outer_cone_distance) / pi;
     return penalty_over_stiffness * pair_modulus() / module;
+  }
+
+  std::optional<Model> GearCase::make_reference_model() const
+  {
+    if (!quadratic_reference_)
+      return std::nullopt;
+    GearCase reference = *this;
+    for (Member &member : reference.members_)
+      {
+        GearBodyOptions &body       = member.body;
+        body                        = coarse(body);
+        body.element_size           = 0.;
+        body.edge_in_modules        = 0.;
+        body.refinements            = 0;
+        body.grading_towards_fillet = body.grading_towards_flank = 1.;
+      }
+    std::ostringstream nothing;
+    Log                quiet(nothing, false);
+    return reference.make_model(quiet);
   }
 
   void GearCase::choose_points(Model &model, Log &log) const

@@ -11,6 +11,8 @@
 #include <vfife/study/pressure/facets_passed.h>
 #include <vfife/study/pressure/pressure_depth.h>
 
+#include <numeric>
+
 namespace vfife
 {
   namespace
@@ -27,27 +29,35 @@ namespace vfife
       return lead_of_driven(compliance.space(), result.turn, result.displacements);
     }
 
-    /** @p errors: of the contact's own grid [rad]. */
-    PointPenalties find_penalties(const Case          &the_case,
-                                  Compliance          &compliance,
-                                  const Model         &model,
-                                  std::vector<double> &errors,
-                                  FacetsPassed        &passed)
+    /** Static transmission errors of the contact's own grid [rad] at @p positions, a divisor of
+     * n_turns; @p passed and @p calibration, if any, get the contacts of each. */
+    std::vector<double> find_grid_errors(const Case         &the_case,
+                                         Compliance         &compliance,
+                                         const Model        &model,
+                                         const unsigned int  positions,
+                                         FacetsPassed       *passed,
+                                         PenaltyCalibration *calibration)
     {
       const std::vector<double> turns = turns_over_mesh(*model.transmission);
       PairEquilibrium           equilibrium(model, compliance, turns);
       PairPressure              pressure(compliance,
                             choose_pressure_depth(0., model, the_case.hertz_contact()),
                             cells_across);
-      PenaltyCalibration        calibration(model.contacts.front());
-      for (unsigned int i = 0; i < n_turns; i += n_turns / n_positions)
+      std::vector<double>       errors;
+      for (unsigned int i = 0; i < n_turns; i += n_turns / positions)
         {
           const PairEquilibriumResult result = equilibrium.solve(turns[i], 1.);
-          const PairPressures         found  = pressure.solve(equilibrium, result, &calibration);
+          const PairPressures         found  = pressure.solve(equilibrium, result, calibration);
           errors.push_back(error_of(compliance, result) + found.lead);
-          passed.add(found.teeth);
+          if (passed != nullptr)
+            passed->add(found.teeth);
         }
-      return calibration.find();
+      return errors;
+    }
+
+    double mean_of(const std::vector<double> &values)
+    {
+      return std::accumulate(values.begin(), values.end(), 0.) / values.size();
     }
 
     void keep_penalties(const std::string &why, const Model &model, Log &log)
@@ -85,7 +95,17 @@ namespace vfife
            load_torque(model) > 0;
   }
 
-  void calibrate_penalty(const Case &the_case, Compliance &compliance, Log &log, Model &model)
+  double find_mean_error(const Case &the_case, Compliance &compliance, const Model &model)
+  {
+    return mean_of(
+      find_grid_errors(the_case, compliance, model, n_positions / 2, nullptr, nullptr));
+  }
+
+  std::vector<double> calibrate_penalty(const Case                 &the_case,
+                                        Compliance                 &compliance,
+                                        Log                        &log,
+                                        Model                      &model,
+                                        const std::optional<double> mean_error)
   {
     const auto          start = WallClock::now();
     PointPenalties      found;
@@ -93,15 +113,23 @@ namespace vfife
     FacetsPassed        passed(model, 1. / n_positions);
     try
       {
-        found = find_penalties(the_case, compliance, model, grid_errors, passed);
+        PenaltyCalibration calibration(model.contacts.front());
+        grid_errors =
+          find_grid_errors(the_case, compliance, model, n_positions, &passed, &calibration);
+        const double lag = mean_error ? mean_of(grid_errors) - *mean_error : 0.;
+        for (double &error : grid_errors)
+          error -= lag;
+        found = calibration.find(lag);
       }
     catch (const InputError &error)
       {
-        return keep_penalties(error.what(), model, log);
+        keep_penalties(error.what(), model, log);
+        return {};
       }
     catch (const NumericalError &error)
       {
-        return keep_penalties(error.what(), model, log);
+        keep_penalties(error.what(), model, log);
+        return {};
       }
     ContactPair &loaded          = model.contacts.front();
     loaded.options.penalty.value = found.largest;
@@ -109,9 +137,6 @@ namespace vfife
     loaded.mean_stiffness        = found.mean / found.largest;
     for (std::size_t i = 1; i < model.contacts.size(); ++i)
       model.contacts[i].options.penalty.value = found.mean;
-    loaded.spring_errors = find_static_errors(compliance, model, n_turns / n_positions);
-    for (std::size_t i = 0; i < grid_errors.size(); ++i)
-      loaded.spring_errors[i] -= grid_errors[i];
     for (unsigned int side = 0; side < 2; ++side)
       {
         const Vector2 facets       = passed.find(side);
@@ -137,5 +162,6 @@ namespace vfife
              " %; found in ",
              seconds_since(start),
              " s");
+    return grid_errors;
   }
 } // namespace vfife

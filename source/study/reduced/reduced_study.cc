@@ -377,7 +377,7 @@ namespace vfife
       const Communicator &communicator = folder.communicator();
       Model               model        = gear_case_.make_model(log);
       check_instants(model); // before the reduction, which takes longer
-      const auto   compliance   = settle_penalties(gear_case_, dynamics_, communicator, log, model);
+      const auto   settled      = settle_penalties(gear_case_, dynamics_, communicator, log, model);
       const double mean_penalty = model.contacts.front().mean_penalty();
       std::optional<RootStress> roots;
       if (fillets_.records())
@@ -404,9 +404,10 @@ namespace vfife
                1e9 * motion.options.step,
                largest_factor() == 1. ? " ns in a tooth mesh"
                                       : " ns in a tooth mesh at the largest speed");
-      ReducedPair        pair(model, std::move(bodies), motion.options);
-      const NamedFigures at_start =
-        find_start_stresses(model, dynamics_, compliance.get(), communicator, log);
+      ReducedPair  pair(model, std::move(bodies), motion.options);
+      NamedFigures at_start =
+        find_start_stresses(model, dynamics_, settled.compliance.get(), communicator, log);
+      at_start.insert(at_start.end(), settled.figures.begin(), settled.figures.end());
       if (is_motion())
         run_lengths(
           gear_case_,

@@ -1,9 +1,13 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
 #include <vfife/base/text/figure_text.h>
+#include <vfife/base/types.h>
+#include <vfife/output/files/result_places.h>
 #include <vfife/output/measures/pair_mounting.h>
+#include <vfife/study/cases/case.h>
 #include <vfife/study/pressure/calibrated_penalty.h>
 #include <vfife/study/run/pair_start.h>
 
@@ -20,6 +24,49 @@ namespace vfife
     /** Of two rounds: large rotations of slender parts leave membrane forces, which the next round
      * takes away. */
     constexpr double least_gain = 0.5;
+
+    /** Mean static transmission error of the pair by quadratic elements [rad]; nothing where they
+     * are not asked for or cannot be had, with the reason in the @p log. Collective. */
+    std::optional<double> find_reference_error(const Case         &the_case,
+                                               const Compliance   &own,
+                                               const Communicator &communicator,
+                                               Log                &log)
+    {
+      const std::optional<Model> model = the_case.make_reference_model();
+      if (!model)
+        return std::nullopt;
+      if (!own.by_sectors())
+        {
+          log.line("penalty elements: as the run, since the pair has bearings, couplings or "
+                   "unequal sectors");
+          return std::nullopt;
+        }
+      const auto start = WallClock::now();
+      FemOptions fem;
+      fem.element  = FemElement::quadratic;
+      fem.geometry = FemGeometry::curved;
+      fem.mass     = MassKind::lumped;
+      try
+        {
+          Compliance   compliance(*model, fem, model->any_body_turns(), communicator);
+          const double error = find_mean_error(the_case, compliance, *model);
+          log.line("mean transmission error at rest by quadratic elements: ",
+                   error / arcsecond,
+                   " arcsec; the penalty of this mesh makes it the same; found in ",
+                   seconds_since(start),
+                   " s");
+          return error;
+        }
+      catch (const InputError &error)
+        {
+          log.warning("Contact/penalty elements: no quadratic elements (", error.what(), ")");
+        }
+      catch (const NumericalError &error)
+        {
+          log.warning("Contact/penalty elements: no quadratic elements (", error.what(), ")");
+        }
+      return std::nullopt;
+    }
   } // namespace
 
   FemOptions make_fem_options(const DynamicsOptions &options)
@@ -31,20 +78,32 @@ namespace vfife
     return fem;
   }
 
-  std::shared_ptr<Compliance> settle_penalties(const Case            &the_case,
-                                               const DynamicsOptions &dynamics,
-                                               const Communicator    &communicator,
-                                               Log                   &log,
-                                               Model                 &model)
+  SettledPenalties settle_penalties(const Case            &the_case,
+                                    const DynamicsOptions &dynamics,
+                                    const Communicator    &communicator,
+                                    Log                   &log,
+                                    Model                 &model)
   {
+    SettledPenalties settled;
     if (!needs_calibration(the_case, model))
-      return nullptr;
-    auto compliance = std::make_shared<Compliance>(model,
-                                                   make_fem_options(dynamics),
-                                                   model.any_body_turns(),
-                                                   communicator);
-    calibrate_penalty(the_case, *compliance, log, model);
-    return compliance;
+      return settled;
+    settled.compliance = std::make_shared<Compliance>(model,
+                                                      make_fem_options(dynamics),
+                                                      model.any_body_turns(),
+                                                      communicator);
+    const std::optional<double> reference =
+      find_reference_error(the_case, *settled.compliance, communicator, log);
+    if (reference)
+      settled.figures.push_back({figure_name::reference_error, {*reference / arcsecond, "arcsec"}});
+    const std::vector<double> errors =
+      calibrate_penalty(the_case, *settled.compliance, log, model, reference);
+    if (errors.empty())
+      return settled;
+    std::vector<double> &of_springs = model.contacts.front().spring_errors;
+    of_springs                      = find_static_errors(*settled.compliance, model, 2);
+    for (std::size_t i = 0; i < errors.size(); ++i)
+      of_springs[i] -= errors[i];
+    return settled;
   }
 
   PairStart::PairStart(const Model                &model,

@@ -300,14 +300,14 @@ namespace vfife
   {
     const Communicator &communicator = folder.communicator();
     Model               model        = make_model(log);
-    auto                compliance = settle_penalties(*case_, dynamics_, communicator, log, model);
+    SettledPenalties    settled = settle_penalties(*case_, dynamics_, communicator, log, model);
     SteppedSolver stepped(model, dynamics_, communicator, log, [this](const double stable_step) {
       return choose_step(stable_step);
     });
     stepped.log_step(model, log);
 
-    // Observers in the order in which checkpoints hold their data. A run that is ended early still
-    // states the time of the whole one.
+    // Checkpoints hold the observers' data in this order. A run that ends early states all its
+    // time.
     const double        dt            = stepped.dt;
     const Transmission *transmission  = transmission_of(model);
     const std::uint64_t history_steps = output_.compute_history_steps(transmission, dt);
@@ -337,6 +337,7 @@ namespace vfife
           pair->list_figures(model.contacts.front().mean_penalty(), case_->arm_range());
         summary.figures.push_back(
           {"stable step without contact", {1e9 * stepped.solver.element_step(), "ns"}});
+        add_figures(settled.figures, summary.figures);
       }
     else if (!model.contacts.empty())
       observers.add<ContactWidthWatch>(model, history_steps, log);
@@ -349,11 +350,10 @@ namespace vfife
     stepping.add_fields(output_.compute_field_steps(transmission, dt), dynamics_);
     const double run_time = stepped.expect_run_time(stepping.state(), end_time / dt);
     foresee(model, stepped, run_time, communicator, log, summary);
-
     summary.cause = case_->find_cause();
     // The steps; what has been found is put together when they have ended, well or not.
-    const auto start =
-      make_start(model, dynamics_, stepped.solver, std::move(compliance), communicator, log);
+    const auto start = make_start(
+      model, dynamics_, stepped.solver, std::move(settled.compliance), communicator, log);
     const auto prepared = [&] {
       // With a ramp the torque is still to come, and with it what the copies would tell.
       if (probes && dynamics_.start != Start::ramp)

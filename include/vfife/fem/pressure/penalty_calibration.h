@@ -36,8 +36,10 @@ namespace vfife
              const ContactLoad                 &load,
              const std::vector<GridPressure>   &grids);
 
-    /** Throws NumericalError where no contact was added. */
-    PointPenalties find();
+    /** Penalties with which the driven body lags by @p lag [rad] more than on the grids: what the
+     * elements of the bodies lack of compliance. To be called once. Throws NumericalError where
+     * no contact was added. */
+    PointPenalties find(double lag = 0.);
 
   private:
     /** Two teeth in contact. */

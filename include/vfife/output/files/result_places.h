@@ -78,6 +78,9 @@ namespace vfife
     constexpr char spring_error[]         = "transmission error by the contact points";
     constexpr char spring_force[]         = "contact force by the contact points";
 
+    /** Of Contact/penalty elements = quadratic. */
+    constexpr char reference_error[] = "mean transmission error at rest, quadratic elements";
+
     // Of a sweep over speeds.
     constexpr char lowest_speed[]   = "lowest speed";
     constexpr char highest_speed[]  = "highest speed";

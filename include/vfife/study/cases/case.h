@@ -88,6 +88,10 @@ namespace vfife
     /** Whether the penalty of the contact is to be found by the contact's own grid. */
     virtual bool leaves_penalty_open() const;
 
+    /** The same bodies on the mesh on which quadratic elements tell how compliant the springs of
+     * runs have to be; nothing where these make up for the contact alone. */
+    virtual std::optional<Model> make_reference_model() const;
+
     /** Outlines of pinion and gear; nothing without teeth. */
     virtual std::optional<std::array<BlankOutline, 2>> outlines() const;
 

@@ -40,6 +40,7 @@ namespace vfife
     {
       return contact_.penalty.is_open();
     }
+    std::optional<Model>                       make_reference_model() const override;
     std::optional<std::array<BlankOutline, 2>> outlines() const override;
     std::optional<Vector2>                     arm_range() const override;
     std::optional<EdgesUnderLoad>              edges_under_load() const override;
@@ -149,6 +150,7 @@ namespace vfife
     std::vector<Material> materials_;
     OperationOptions      operation_;
     ContactOptions        contact_;
+    bool                  quadratic_reference_ = true; ///< Contact/penalty elements
   };
 } // namespace vfife
 

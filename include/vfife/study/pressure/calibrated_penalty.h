@@ -2,6 +2,7 @@
 #ifndef vfife_study_pressure_calibrated_penalty_h
 #define vfife_study_pressure_calibrated_penalty_h
 
+#include <optional>
 #include <vector>
 
 namespace vfife
@@ -30,10 +31,22 @@ namespace vfife
   /**
    * Gives the points of the loaded contact of a gear pair the penalties with which its teeth
    * approach each other as on the contact's own grid (PenaltyCalibration) at positions over one
-   * tooth mesh, and the other contact their mean. @p compliance: of the @p model. Where the grid
-   * gives none, a warning says why, and the penalties stay. Collective.
+   * tooth mesh, and the other contact their mean. @p compliance: of the @p model. With a
+   * @p mean_error [rad] the springs also supply what the elements of the bodies lack until the mean
+   * static transmission error is that. Returns the static transmission errors that the springs are
+   * to have [rad], at every second one of turns_over_mesh(). Where the grid gives none, a warning
+   * says why, the penalties stay, and nothing is returned. Collective.
    */
-  void calibrate_penalty(const Case &the_case, Compliance &compliance, Log &log, Model &model);
+  std::vector<double> calibrate_penalty(const Case           &the_case,
+                                        Compliance           &compliance,
+                                        Log                  &log,
+                                        Model                &model,
+                                        std::optional<double> mean_error = std::nullopt);
+
+  /** Mean static transmission error of a pair over a tooth mesh under the whole torque, of the
+   * linear bodies on the contact's own grid [rad]: by every second position of
+   * calibrate_penalty(). Throws as Compliance and PairPressure. Collective. */
+  double find_mean_error(const Case &the_case, Compliance &compliance, const Model &model);
 } // namespace vfife
 
 #endif

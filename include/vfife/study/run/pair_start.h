@@ -4,6 +4,7 @@
 
 #include <vfife/dynamics/equilibrium/relaxation.h>
 #include <vfife/fem/pair/pair_equilibrium.h>
+#include <vfife/output/files/figures.h>
 
 #include <functional>
 #include <memory>
@@ -17,13 +18,21 @@ namespace vfife
    * points. */
   FemOptions make_fem_options(const DynamicsOptions &options);
 
-  /** Finds the penalties that a case leaves open (calibrate_penalty()) and returns the stiffness of
-   * the pair that was factorized for them; nullptr where nothing is open. Collective. */
-  std::shared_ptr<Compliance> settle_penalties(const Case            &the_case,
-                                               const DynamicsOptions &dynamics,
-                                               const Communicator    &communicator,
-                                               Log                   &log,
-                                               Model                 &model);
+  /** What settle_penalties() leaves besides the penalties. */
+  struct SettledPenalties
+  {
+    /** Of the pair; nullptr where no penalty was open. */
+    std::shared_ptr<Compliance> compliance;
+    /** The mean transmission error of quadratic elements, where they were asked. */
+    NamedFigures figures;
+  };
+
+  /** Finds the penalties that a case leaves open (calibrate_penalty()). Collective. */
+  SettledPenalties settle_penalties(const Case            &the_case,
+                                    const DynamicsOptions &dynamics,
+                                    const Communicator    &communicator,
+                                    Log                   &log,
+                                    Model                 &model);
 
   /**
    * Equilibrium of a gear pair in the frames that turn with its bodies, found in a few rounds: the
