@@ -343,10 +343,11 @@ namespace vfife
         for (std::size_t k = 0; k < contacts.size(); ++k)
           if (found[k].moment > least_part * load.load)
             {
-              planes[k] = grids[k].refine(found[k], cells_across);
-              n_cells[k] =
-                std::max(first_cells,
-                         std::size_t(taken_per_loaded * found[k].area / planes[k].sides.prod()));
+              planes[k]  = grids[k].refine(found[k], cells_across);
+              n_cells[k] = std::min(most_cells,
+                                    std::max(first_cells,
+                                             std::size_t(taken_per_loaded * found[k].area /
+                                                         planes[k].sides.prod())));
               // Cells of the same number, but for one at each side that may carry or not.
               fine = fine && std::abs(found[k].width / found[k].plane.sides[1] - cells_across) <=
                                std::max(2., .15 * cells_across);

@@ -176,6 +176,9 @@ namespace vfife
     options.web_rows         = 5;
     options.hub_rows         = 2;
     options.hub_side_cells   = 2;
+    options.refinements      = 0;
+    options.element_size = options.edge_in_modules = 0.;
+    options.grading_towards_fillet = options.grading_towards_flank = 1.;
     return options;
   }
 } // namespace vfife

@@ -121,10 +121,8 @@ namespace vfife
       quadratic_reference_,
       {{"quadratic", true}, {"as the run", false}},
       "Elements whose mean transmission error at rest the penalty auto gives to runs, reduced "
-      "pairs "
-      "and waves: quadratic ones on a mesh of 2 x 3 cells in the section of a tooth, or those of "
-      "the run, which are "
-      "too stiff by up to 5 %");
+      "pairs and waves: quadratic ones on a mesh of 2 x 3 cells in the section of a tooth, or "
+      "those of the run, which are too stiff by up to 5 %");
   }
 
   void GearCase::check() const

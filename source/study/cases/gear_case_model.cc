@@ -223,14 +223,7 @@ namespace vfife
       return std::nullopt;
     GearCase reference = *this;
     for (Member &member : reference.members_)
-      {
-        GearBodyOptions &body       = member.body;
-        body                        = coarse(body);
-        body.element_size           = 0.;
-        body.edge_in_modules        = 0.;
-        body.refinements            = 0;
-        body.grading_towards_fillet = body.grading_towards_flank = 1.;
-      }
+      member.body = coarse(member.body);
     std::ostringstream nothing;
     Log                quiet(nothing, false);
     return reference.make_model(quiet);

@@ -95,6 +95,15 @@ namespace vfife
            load_torque(model) > 0;
   }
 
+  std::vector<double>
+  find_spring_errors(Compliance &compliance, const Model &model, const std::vector<double> &errors)
+  {
+    std::vector<double> found = find_static_errors(compliance, model, n_turns / errors.size());
+    for (std::size_t i = 0; i < errors.size(); ++i)
+      found[i] -= errors[i];
+    return found;
+  }
+
   double find_mean_error(const Case &the_case, Compliance &compliance, const Model &model)
   {
     return mean_of(

@@ -32,22 +32,25 @@ namespace vfife
                                                const Communicator &communicator,
                                                Log                &log)
     {
-      const std::optional<Model> model = the_case.make_reference_model();
-      if (!model)
-        return std::nullopt;
-      if (!own.by_sectors())
-        {
-          log.line("penalty elements: as the run, since the pair has bearings, couplings or "
-                   "unequal sectors");
-          return std::nullopt;
-        }
-      const auto start = WallClock::now();
-      FemOptions fem;
-      fem.element  = FemElement::quadratic;
-      fem.geometry = FemGeometry::curved;
-      fem.mass     = MassKind::lumped;
+      const auto warn = [&log](const std::exception &error) {
+        log.warning("Contact/penalty elements: no quadratic elements (", error.what(), ")");
+      };
       try
         {
+          const std::optional<Model> model = the_case.make_reference_model();
+          if (!model)
+            return std::nullopt;
+          if (!own.by_sectors())
+            {
+              log.line("penalty elements: as the run, since the pair has bearings, couplings or "
+                       "unequal sectors");
+              return std::nullopt;
+            }
+          const auto start = WallClock::now();
+          FemOptions fem;
+          fem.element  = FemElement::quadratic;
+          fem.geometry = FemGeometry::curved;
+          fem.mass     = MassKind::lumped;
           Compliance   compliance(*model, fem, model->any_body_turns(), communicator);
           const double error = find_mean_error(the_case, compliance, *model);
           log.line("mean transmission error at rest by quadratic elements: ",
@@ -59,11 +62,12 @@ namespace vfife
         }
       catch (const InputError &error)
         {
-          log.warning("Contact/penalty elements: no quadratic elements (", error.what(), ")");
+          // The pair's own mesh may be possible where the coarse one is not.
+          warn(error);
         }
       catch (const NumericalError &error)
         {
-          log.warning("Contact/penalty elements: no quadratic elements (", error.what(), ")");
+          warn(error);
         }
       return std::nullopt;
     }
@@ -97,12 +101,8 @@ namespace vfife
       settled.figures.push_back({figure_name::reference_error, {*reference / arcsecond, "arcsec"}});
     const std::vector<double> errors =
       calibrate_penalty(the_case, *settled.compliance, log, model, reference);
-    if (errors.empty())
-      return settled;
-    std::vector<double> &of_springs = model.contacts.front().spring_errors;
-    of_springs                      = find_static_errors(*settled.compliance, model, 2);
-    for (std::size_t i = 0; i < errors.size(); ++i)
-      of_springs[i] -= errors[i];
+    if (!errors.empty())
+      model.contacts.front().spring_errors = find_spring_errors(*settled.compliance, model, errors);
     return settled;
   }
 

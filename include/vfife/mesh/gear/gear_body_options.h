@@ -113,7 +113,7 @@ namespace vfife
   /** A pinion of the full mesh: solid down to a bore of 20 mm. */
   GearBodyOptions pinion_body_defaults();
 
-  /** The same body with few cells (pair of the paper: about 18,000), for quick runs. */
+  /** The same body with few cells (pair of the paper: about 18,000), whatever its mesh was. */
   GearBodyOptions coarse(GearBodyOptions options);
 } // namespace vfife
 

@@ -34,7 +34,7 @@ namespace vfife
    * tooth mesh, and the other contact their mean. @p compliance: of the @p model. With a
    * @p mean_error [rad] the springs also supply what the elements of the bodies lack until the mean
    * static transmission error is that. Returns the static transmission errors that the springs are
-   * to have [rad], at every second one of turns_over_mesh(). Where the grid gives none, a warning
+   * to have [rad], at equal steps over turns_over_mesh(). Where the grid gives none, a warning
    * says why, the penalties stay, and nothing is returned. Collective.
    */
   std::vector<double> calibrate_penalty(const Case           &the_case,
@@ -42,6 +42,12 @@ namespace vfife
                                         Log                  &log,
                                         Model                &model,
                                         std::optional<double> mean_error = std::nullopt);
+
+  /** By how much the static transmission errors of the springs exceed the @p errors that
+   * calibrate_penalty() has returned [rad], at the same turns: ContactPair::spring_errors. Throws
+   * as find_static_errors(). Collective. */
+  std::vector<double>
+  find_spring_errors(Compliance &compliance, const Model &model, const std::vector<double> &errors);
 
   /** Mean static transmission error of a pair over a tooth mesh under the whole torque, of the
    * linear bodies on the contact's own grid [rad]: by every second position of
