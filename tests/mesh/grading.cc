@@ -95,6 +95,37 @@ namespace
     check(member.name() + ": scaled Jacobian",
           quality.least_determinant > 0. && quality.least_scaled_jacobian > .45);
   }
+
+  /** Each fillet of tooth 0 has a node at that fraction of its arc, and none at another inner one. */
+  void check_fillet_corner(const GearMember &member, const GearBodyOptions &options)
+  {
+    const auto                 mesh  = make_gear_body(member, options);
+    const unsigned int         first = mesh->triangulation.n_vertices() / mesh->structure.n_sectors();
+    const double               L     = member.blank().outer_cone_distance;
+    const std::vector<Vector3> places = {
+      member.fillet_point(FlankSide::concave, L, 0.).position,
+      member
+        .fillet_point(
+          FlankSide::concave, L, options.fillet_corner * member.fillet_end(FlankSide::concave))
+        .position,
+      member.fillet_point(FlankSide::concave, L, member.fillet_end(FlankSide::concave)).position};
+    unsigned int at_heel  = 0;
+    double       distance = 0;
+    for (const unsigned int node : mesh->node_sets.at(node_set::concave_fillet))
+      {
+        const Vector3 x = vertex(*mesh, node);
+        if (node >= first ||
+            std::abs(member.blank().cone_coordinates({std::hypot(x[0], x[1]), x[2]})[0] - L) > 1e-9)
+          continue;
+        ++at_heel;
+        double nearest = 1e300;
+        for (const Vector3 &place : places)
+          nearest = std::min(nearest, (x - place).norm());
+        distance = largest_of(distance, nearest);
+      }
+    check("fillet corner: nodes of the fillet at the heel", at_heel == places.size());
+    check_below("fillet corner: their places [mm]", distance, 1e-8);
+  }
 } // namespace
 
 int main()
@@ -111,5 +142,7 @@ int main()
   pinion_options.grading_towards_fillet = 2.5;
   pinion_options.grading_towards_flank  = 1.5;
   check_body(paper::pinion(), pinion_options);
+  prm.parse_input_from_string("subsection Mesh\n set fillet corner = 0.35\nend\n");
+  check_fillet_corner(paper::gear(), gear_options);
   return 0;
 }

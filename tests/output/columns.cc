@@ -156,6 +156,7 @@ namespace
     add("fillet_envelope.csv", loaded, make_fillet_envelope_table());
     add("root_sections.csv", loaded, make_root_section_table());
     add("coupled_modes.csv", loaded, make_coupled_mode_table());
+    add("adaptive_refinement.csv", "linear static", make_adaptive_table());
     add("reactions.csv", "linear static", make_reaction_table());
     add("modes.csv", modal, make_mode_table());
     add("campbell.csv", modal, make_campbell_table());

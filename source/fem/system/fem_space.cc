@@ -98,7 +98,14 @@ namespace vfife
     for (const unsigned int b : bodies)
       {
         const Body &body = model.bodies[b];
-        const auto  mesh = std::make_shared<const RefinedMesh>(body, refinements_);
+        std::vector<std::vector<unsigned int>> divisions;
+        for (const FemSpaceOptions::Division &division : options.divisions)
+          {
+            const auto found = division.find(b);
+            divisions.push_back(found == division.end() ? std::vector<unsigned int>() :
+                                                          found->second);
+          }
+        const auto mesh = std::make_shared<const RefinedMesh>(body, refinements_, divisions);
         add_part(b, mesh, *mesh, body.node_positions(), body.n_nodes());
       }
   }
@@ -476,6 +483,12 @@ namespace vfife
         v -= Eigen::Map<const Eigen::VectorXd>(free.data(), free.size());
       }
     return v;
+  }
+
+  dealii::Triangulation<3>::cell_iterator FemSpace::cell(const unsigned int e) const
+  {
+    const Part &part = part_of_element(e);
+    return meshes_[index_of(parts_, part)]->elements()[e - part.first_element].cell;
   }
 
   const FemSpace::Part &FemSpace::part_of_element(const unsigned int e) const

@@ -117,7 +117,9 @@ namespace vfife
     }
   } // namespace
 
-  RefinedMesh::RefinedMesh(const Body &body, const std::vector<LocalRefinement> &refinements)
+  RefinedMesh::RefinedMesh(const Body                                   &body,
+                           const std::vector<LocalRefinement>           &refinements,
+                           const std::vector<std::vector<unsigned int>> &divisions)
     : triangulation_(&body.mesh().triangulation)
   {
     if (triangulation_->n_levels() > 1 && triangulation_->has_hanging_nodes())
@@ -130,12 +132,7 @@ namespace vfife
               return asked.times >= step;
             }))
           break;
-        if (!own_)
-          {
-            own_ = std::make_unique<dealii::Triangulation<3>>();
-            own_->copy_triangulation(body.mesh().triangulation);
-            triangulation_ = own_.get();
-          }
+        copy(body);
         for (const LocalRefinement &asked : refinements)
           if (asked.times >= step && asked.around == everywhere)
             own_->set_all_refine_flags();
@@ -145,7 +142,26 @@ namespace vfife
         flag_across_borders(body.structure(), *own_);
         own_->execute_coarsening_and_refinement();
       }
+    for (const std::vector<unsigned int> &division : divisions)
+      {
+        if (division.empty())
+          continue;
+        copy(body);
+        list_elements();
+        for (const unsigned int e : division)
+          Cell(elements_[e].cell)->set_refine_flag();
+        own_->execute_coarsening_and_refinement();
+      }
     list_elements();
+  }
+
+  void RefinedMesh::copy(const Body &body)
+  {
+    if (own_)
+      return;
+    own_ = std::make_unique<dealii::Triangulation<3>>();
+    own_->copy_triangulation(body.mesh().triangulation);
+    triangulation_ = own_.get();
   }
 
   RefinedMesh::RefinedMesh(const std::vector<Vector3>   &nodes,
@@ -174,6 +190,8 @@ namespace vfife
 
   void RefinedMesh::list_elements()
   {
+    elements_.clear();
+    first_.clear();
     is_refined_                      = own_ && own_->n_levels() > 1;
     constexpr unsigned int all_faces = 63;
     const auto             add       = [&](const Cell &cell) {

@@ -27,9 +27,12 @@ namespace vfife
       unsigned int faces;  ///< bit f: face f lies on that of the parent
     };
 
-    /** Throws InputError for a mesh with hanging nodes of its own. Both sides of a border between
-     * sectors are divided alike. */
-    RefinedMesh(const Body &body, const std::vector<LocalRefinement> &refinements);
+    /** Throws InputError for a mesh with hanging nodes of its own. @p refinements divide both sides
+     * of a border between sectors alike; then each step of @p divisions divides the elements with
+     * these numbers. */
+    RefinedMesh(const Body                                   &body,
+                const std::vector<LocalRefinement>           &refinements,
+                const std::vector<std::vector<unsigned int>> &divisions = {});
 
     /** Sector 0 with its own nodes, divided as in the @p whole body. */
     RefinedMesh(const std::vector<Vector3>   &nodes,
@@ -59,6 +62,8 @@ namespace vfife
     }
 
   private:
+    /** Makes the body's mesh an own one, which can be divided. */
+    void copy(const Body &body);
     void list_elements();
     void add_elements(const Cell &cell, unsigned int parent, unsigned int faces);
 

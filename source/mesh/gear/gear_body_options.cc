@@ -153,6 +153,13 @@ namespace vfife
                    "Width of the columns in the middle of the tooth over that at the flanks; 1: "
                    "equal columns",
                    Range::between(1. / largest_grading, largest_grading));
+    declare_number(prm,
+                   "fillet corner",
+                   fillet_corner,
+                   "Place in the fillet where the mesh blocks of tooth, rim and root land meet: "
+                   "fraction of the fillet's arc, from its bottom. Cells are the most distorted "
+                   "there: keep it away from the largest root stress",
+                   Range::between(.2, .9));
   }
 
   GearBodyOptions pinion_body_defaults()

@@ -10,10 +10,6 @@ namespace vfife
 {
   namespace
   {
-    /** Where in the fillet (fraction of its blade edge angle) tooth block, rim and root land meet:
-     * 42 of 70 deg. */
-    constexpr double fraction_of_P = .6;
-
     /** (h, angle) of a surface point; the angle is the one nearest to @p near_angle. */
     Vector2
     section_coordinates(const BlankOutline &blank, const Vector3 &x, const double near_angle)
@@ -57,13 +53,14 @@ namespace vfife
                                          const double        L,
                                          const unsigned int  flank_rows,
                                          const double        grading,
+                                         const double        fillet_corner,
                                          const double        near_angle)
     {
       const BlankOutline &blank = gear.blank();
       const double        end   = gear.fillet_end(side);
 
       std::vector<Vector2> profile;
-      for (const double lambda : {0., fraction_of_P * end})
+      for (const double lambda : {0., fillet_corner * end})
         profile.push_back(
           section_coordinates(blank, gear.fillet_point(side, L, lambda).position, near_angle));
 
@@ -92,7 +89,8 @@ namespace vfife
   GearSection compute_gear_section(const GearGeometry &gear,
                                    const double        cone_distance,
                                    const unsigned int  flank_rows,
-                                   const double        grading)
+                                   const double        grading,
+                                   const double        fillet_corner)
   {
     const double L = cone_distance;
     // Polar angles repeat: all are taken next to that of the lower flank at mid-face.
@@ -103,8 +101,11 @@ namespace vfife
     GearSection section;
     section.cone_distance = L;
     section.pitch         = gear.pitch();
-    section.lower = compute_profile(gear, gear.lower_side(), L, flank_rows, grading, near_angle);
-    section.upper = compute_profile(gear, gear.upper_side(), L, flank_rows, grading, near_angle);
+    const auto profile_of = [&](const FlankSide side) {
+      return compute_profile(gear, side, L, flank_rows, grading, fillet_corner, near_angle);
+    };
+    section.lower = profile_of(gear.lower_side());
+    section.upper = profile_of(gear.upper_side());
 
     // The root land joins the fillets of a slot at their mean height; its centre is half-way
     // between the upper fillet of the tooth below and the lower one of this tooth.
@@ -122,13 +123,18 @@ namespace vfife
   std::vector<GearSection> compute_gear_sections(const GearGeometry &gear,
                                                  const unsigned int  n,
                                                  const unsigned int  flank_rows,
-                                                 const double        grading)
+                                                 const double        grading,
+                                                 const double        fillet_corner)
   {
     const BlankOutline      &blank = gear.blank();
     std::vector<GearSection> sections;
     for (unsigned int i = 0; i <= n; ++i)
-      sections.push_back(compute_gear_section(
-        gear, blank.inner_cone_distance() + blank.face_width * i / n, flank_rows, grading));
+      sections.push_back(
+        compute_gear_section(gear,
+                             blank.inner_cone_distance() + blank.face_width * i / n,
+                             flank_rows,
+                             grading,
+                             fillet_corner));
     return sections;
   }
 

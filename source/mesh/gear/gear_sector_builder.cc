@@ -31,8 +31,11 @@ namespace vfife
     , options_(options)
     , at_toe_(options.web == WebKind::conical && options.web_attachment == WebAttachment::toe)
     , at_underside_(options.web == WebKind::conical && options.web_attachment != WebAttachment::toe)
-    , sections_(compute_gear_sections(
-        gear, options.cells_lengthwise, options.flank_rows, options.grading_towards_fillet))
+    , sections_(compute_gear_sections(gear,
+                                      options.cells_lengthwise,
+                                      options.flank_rows,
+                                      options.grading_towards_fillet,
+                                      options.fillet_corner))
     , across_(graded_places_from_both_ends(options.cells_across, options.grading_towards_flank))
     , rim_parts_(graded_places(options.rim_rows, at_toe_ ? 1. : options.grading_towards_fillet))
     , web_(gear.blank(), options, sections_.front().root_height, sections_.back().root_height)

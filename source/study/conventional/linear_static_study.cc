@@ -5,7 +5,11 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
+#include <vfife/base/text/column_names.h>
+#include <vfife/base/text/nearest_name.h>
+#include <vfife/base/text/number_text.h>
 #include <vfife/dynamics/dynamics_options.h>
+#include <vfife/fem/statics/adaptive_refinement.h>
 #include <vfife/fem/statics/reactions.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>
@@ -27,6 +31,10 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numeric>
 #include <utility>
 
 namespace vfife
@@ -96,6 +104,132 @@ namespace vfife
                        std::move(fields));
         }
     }
+
+    /** The solution on one mesh. */
+    struct Solution
+    {
+      std::unique_ptr<StaticSolver> solver;
+      StaticResult                  result;
+      std::vector<Stress>           stresses;
+
+      const FemSpace &space() const
+      {
+        return solver->space();
+      }
+    };
+
+    /** Key numbers. */
+    NamedFigures list_figures(const Solution &solution)
+    {
+      const std::vector<double> &u       = solution.result.displacements;
+      double                     largest = 0, stress = 0;
+      for (std::size_t i = 0; i < u.size(); i += 3)
+        largest = std::max(largest, Eigen::Map<const Vector3>(u.data() + i).norm());
+      for (const Stress &here : solution.stresses)
+        stress = std::max(stress, von_mises(here));
+      return {{"strain energy", {solution.result.strain_energy, "mJ"}},
+              {"largest displacement", {1e3 * largest, "um"}},
+              {"largest von mises", {stress, "MPa"}}};
+    }
+
+    /** Names of the results that can end the adaptive refinement, with their values of a solution
+     * (nullptr: none yet): key numbers, and quantities of probes as columns of history.csv. */
+    NamedFigures list_results(const Model &model, const Solution *const solution)
+    {
+      const Solution none;
+      NamedFigures   results = list_figures(solution != nullptr ? *solution : none);
+      for (const Probe &probe : model.probes)
+        {
+          const ProbeValue value =
+            solution == nullptr
+              ? ProbeValue()
+              : find_probe_value(probe, solution->space(), solution->result, solution->stresses);
+          for (const ProbeQuantity &quantity : list_probe_quantities(
+                 probe.fixed_axes ? column::fixed_axes : column::cylindrical_axes))
+            results.push_back(
+              {probe.name + " " + quantity.name, {quantity.value(value), quantity.unit}});
+        }
+      return results;
+    }
+
+    Figure find_result(const std::string &name, const NamedFigures &results)
+    {
+      std::vector<std::string> known;
+      for (const auto &result : results)
+        {
+          if (result.first == name)
+            return result.second;
+          known.push_back(result.first);
+        }
+      throw InputError("Linear static/Adaptive refinement/result",
+                       "expected strain energy, largest displacement, largest von mises or a probe "
+                       "and its quantity (such as \"NAME von mises\"), got \"" +
+                         name + "\"" + did_you_mean(name, known));
+    }
+
+    /** Refinements where the error is, until the named result settles. */
+    class AdaptiveSteps
+    {
+    public:
+      /** Throws InputError where no result has the name. */
+      AdaptiveSteps(const LinearStaticOptions &options, const Model &model)
+        : options_(options)
+        , model_(model)
+        , table_(make_adaptive_table())
+      {
+        find_result(options.adapted_result, list_results(model, nullptr));
+      }
+
+      /** Takes the solution in. Whether another mesh is wanted: then @p fem has its elements. */
+      bool go_on(const Solution &solution, FemOptions &fem, Log &log)
+      {
+        const std::string        &name  = options_.adapted_result;
+        const Figure              figure = find_result(name, list_results(model_, &solution));
+        const double              value  = figure.value;
+        const FemSpace           &space = solution.space();
+        const std::vector<double> errors = estimate_errors(space, solution.result.displacements);
+        const double              step   = table_.n_rows();
+        const double last   = step == 0 ? value : table_.numbers("value").back();
+        change_             = std::abs(value - last) / std::max(std::abs(value), std::abs(last));
+        const double square = std::inner_product(errors.begin(), errors.end(), errors.begin(), 0.);
+        table_.add_row({step,
+                        space.n_elements(),
+                        3 * space.n_points(),
+                        std::sqrt(square),
+                        name + " [" + figure.unit + "]",
+                        value,
+                        step == 0 ? std::numeric_limits<double>::quiet_NaN() : 100 * change_});
+        log.line("refinement ", step, ": ", space.n_elements(), " elements, ", name, " ", value);
+        if (square == 0. || (step > 0 && change_ < options_.adapted_tolerance))
+          return false;
+        if (step == options_.most_steps)
+          {
+            log.warning(name + " has not settled: the last of " + number_text(step) +
+                        " refinements changed it by " + number_text(100 * change_) +
+                        " %. Increase Linear static/Adaptive refinement/most steps, or choose a "
+                        "result that has a limit: stresses in sharp corners have none");
+            return false;
+          }
+        fem.divisions.push_back(mark_elements(space, errors, options_.marked_part));
+        return true;
+      }
+
+      /** A row a mesh. */
+      const Table &table() const
+      {
+        return table_;
+      }
+      NamedFigures list_figures() const
+      {
+        return {{"change by the last refinement", {100 * change_, "%"}}};
+      }
+
+    private:
+      const LinearStaticOptions &options_;
+      const Model               &model_;
+      Table                      table_;
+      double                     change_ = 0; ///< of the last refinement [-]
+    };
 
     /** A row a support of the bodies looked at: what it exerts on its nodes. */
     Table list_reactions(const FemSpace &space, const std::vector<Reaction> &reactions)
@@ -170,6 +304,13 @@ namespace vfife
     private:
       Model make_model(Log &log) const;
       void  refuse_what_is_not_linear(const Model &model) const;
+      /** On one mesh, or on meshes that are refined where the error is: @p figures of these. */
+      Solution solve(const Model        &model,
+                     const StaticLoads  &loads,
+                     HubRotation         rotation,
+                     const OutputFolder &folder,
+                     NamedFigures       &figures,
+                     Log                &log) const;
       void  write_probes(const OutputFolder        &folder,
                          const Model               &model,
                          const FemSpace            &space,
@@ -202,6 +343,26 @@ namespace vfife
                    "stress stiffness",
                    stress_stiffness,
                    "Whether stresses of the centrifugal force stiffen the bodies");
+    const Subsection adaptive(prm, "Adaptive refinement");
+    declare_text(prm,
+                 "result",
+                 adapted_result,
+                 "Result that ends the adaptive refinement: strain energy, largest displacement, "
+                 "largest von mises, or a probe and its quantity as a column of history.csv "
+                 "(\"hole von mises\"); empty: one mesh, without adaptive refinement");
+    declare_number(prm,
+                   "tolerance",
+                   adapted_tolerance,
+                   "Relative change of the result from one mesh to the next that ends the "
+                   "refinement",
+                   Range::positive());
+    declare_number(prm,
+                   "marked part",
+                   marked_part,
+                   "Part of the sum of squared error indicators that the elements hold which one "
+                   "step divides into eight: the fewest such elements",
+                   Range::between(.05, 1.));
+    declare_integer(prm, "most steps", most_steps, "Refinements at most", 1, 20);
   }
 
   void LinearStaticOptions::check() const
@@ -275,6 +436,40 @@ namespace vfife
       }
   }
 
+  Solution LinearStaticStudy::solve(const Model        &model,
+                                    const StaticLoads  &loads,
+                                    const HubRotation   rotation,
+                                    const OutputFolder &folder,
+                                    NamedFigures       &figures,
+                                    Log                &log) const
+  {
+    const std::vector<unsigned int> bodies = find_chosen_bodies(fem_, model);
+    log_housing(model, bodies, log);
+    if (options_.centrifugal)
+      for (const unsigned int b : bodies)
+        if (model.bodies[b].rate != 0)
+          warn_of_averaged_bearings(model, b, log);
+    FemOptions fem        = fem_;
+    const auto solve_once = [&] {
+      // Bodies that are free to move are refused here, before anything is assembled.
+      Solution solution;
+      solution.solver =
+        std::make_unique<StaticSolver>(model, bodies, fem, folder.communicator(), rotation);
+      solution.result   = solution.solver->solve(loads);
+      solution.stresses = solution.solver->compute_node_stresses(solution.result);
+      return solution;
+    };
+    if (options_.adapted_result.empty())
+      return solve_once();
+    AdaptiveSteps steps(options_, model);
+    Solution      solution = solve_once();
+    while (steps.go_on(solution, fem, log))
+      solution = solve_once();
+    write_csv(folder, "adaptive_refinement.csv", steps.table());
+    figures = steps.list_figures();
+    return solution;
+  }
+
   void LinearStaticStudy::run(OutputFolder &folder, Log &log)
   {
     log.set_verbosity(output_.verbosity);
@@ -293,51 +488,49 @@ namespace vfife
           rotation = HubRotation::pinned; // spin has no moment about the axis
       }
     // 2. The solution, and stresses at the nodes.
-    // Bodies that are free to move are refused here, before anything is assembled.
-    const std::vector<unsigned int> bodies = find_chosen_bodies(fem_, model);
-    log_housing(model, bodies, log);
-    if (options_.centrifugal)
-      for (const unsigned int b : bodies)
-        if (model.bodies[b].rate != 0)
-          warn_of_averaged_bearings(model, b, log);
-    const StaticSolver        solver(model, bodies, fem_, folder.communicator(), rotation);
-    const StaticResult        result   = solver.solve(loads);
-    const std::vector<Stress> stresses = solver.compute_node_stresses(result);
-    summary.run_time                   = seconds_since(start);
+    NamedFigures        of_steps;
+    const Solution      solution = solve(model, loads, rotation, folder, of_steps, log);
+    const FemSpace     &space    = solution.space();
+    const StaticResult &result   = solution.result;
+    summary.run_time             = seconds_since(start);
 
     // Key numbers, then probes, fields and reactions.
-    double largest = 0, stress = 0;
-    for (std::size_t i = 0; i < result.displacements.size(); i += 3)
-      largest =
-        std::max(largest, Eigen::Map<const Vector3>(result.displacements.data() + i).norm());
-    for (const Stress &here : stresses)
-      stress = std::max(stress, von_mises(here));
-    summary.figures = {{"strain energy", {result.strain_energy, "mJ"}},
-                       {"largest displacement", {1e3 * largest, "um"}},
-                       {"largest von mises", {stress, "MPa"}}};
+    summary.figures = list_figures(solution);
+    summary.figures.insert(summary.figures.end(), of_steps.begin(), of_steps.end());
     log.line("largest displacement ",
-             1e3 * largest,
+             summary.figures[1].second.value,
              " um, largest von Mises stress ",
-             stress,
+             summary.figures[2].second.value,
              " MPa, strain energy ",
              result.strain_energy,
              " mJ; ",
-             3 * solver.space().n_points(),
+             3 * space.n_points(),
              " displacements, ",
              result.n_iterations,
              " iterations, ",
              summary.run_time,
              " s");
 
-    write_probes(folder, model, solver.space(), result, stresses);
+    write_probes(folder, model, space, result, solution.stresses);
     if (output_.fields_every > 0)
-      write_fields(folder, solver.space(), result, stresses);
-    write_csv(folder,
-              "reactions.csv",
-              list_reactions(solver.space(), compute_reactions(solver.space(), result)));
+      write_fields(folder, space, result, solution.stresses);
+    write_csv(
+      folder, "reactions.csv", list_reactions(space, compute_reactions(space, result)));
     write_summary(folder, summary, log);
     if (output_.pictures)
       draw_pictures(folder, log);
+  }
+
+  Table make_adaptive_table()
+  {
+    Table table;
+    for (const char *count : {"step", "elements", "unknowns"})
+      table.add_column(count, "-");
+    table.add_column("error indicator", "mm^1.5");
+    table.add_text_column("result");
+    table.add_column("value", "as named");
+    table.add_column("change", "%");
+    return table;
   }
 
   Table make_reaction_table()

@@ -5,6 +5,8 @@
 #include <vfife/fem/system/fem_space_options.h>
 #include <vfife/model/model.h>
 
+#include <deal.II/grid/tria.h>
+
 #include <map>
 #include <memory>
 #include <string>
@@ -47,7 +49,7 @@ namespace vfife
              const std::vector<unsigned int> &bodies,
              const FemSpaceOptions           &options);
     FemSpace(const Model &model, const std::vector<unsigned int> &bodies, FemElement element)
-      : FemSpace(model, bodies, FemSpaceOptions{element, FemGeometry::straight, {}})
+      : FemSpace(model, bodies, FemSpaceOptions{element, FemGeometry::straight, {}, {}})
     {
     }
 
@@ -117,6 +119,8 @@ namespace vfife
     {
       return n_body_elements(part) < part.n_elements;
     }
+    /** Of an element: the active cell of its part's mesh. */
+    dealii::Triangulation<3>::cell_iterator cell(unsigned int e) const;
     /** The body's element that element @p e is, or a part of. */
     unsigned int body_element(const unsigned int e) const
     {

@@ -4,6 +4,7 @@
 
 #include <vfife/fem/system/element_integrals.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,12 @@ namespace vfife
     FemElement               element  = FemElement::incompatible_modes;
     FemGeometry              geometry = FemGeometry::straight;
     std::vector<std::string> local_refinement; ///< read_local_refinements()
+
+    /** Elements of bodies of the model (numbers in the body's part of the space) to divide. */
+    using Division = std::map<unsigned int, std::vector<unsigned int>>;
+    /** Steps after the local refinement; numbers are those after the step before. None with cyclic
+     * symmetry. */
+    std::vector<Division> divisions;
   };
 } // namespace vfife
 

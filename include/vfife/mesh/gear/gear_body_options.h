@@ -2,8 +2,8 @@
 #ifndef vfife_mesh_gear_gear_body_options_h
 #define vfife_mesh_gear_gear_body_options_h
 
-#include <vfife/gear/gear_geometry.h>
 #include <vfife/mesh/gear/conical_web.h>
+#include <vfife/mesh/gear/gear_section.h>
 #include <vfife/mesh/gear/gear_shaft_options.h>
 
 #include <string>
@@ -55,6 +55,8 @@ namespace vfife
     double grading_towards_fillet = 1.;
     /** Width of the columns in the middle of the tooth over that at the flanks. */
     double grading_towards_flank = 1.;
+    /** compute_gear_section(). */
+    double fillet_corner = default_fillet_corner;
 
     GearShaftOptions shaft; ///< of one piece with the body; none by default
 

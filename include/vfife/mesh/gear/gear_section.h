@@ -27,18 +27,24 @@ namespace vfife
     std::vector<Vector2> lower, upper;
   };
 
+  /** Where in the fillet the blocks of tooth, rim and root land meet (P): fraction of its blade edge
+   * angle from the bottom, 42 of 70 deg. */
+  constexpr double default_fillet_corner = .6;
+
   /** @p grading: last over first step of h. Throws InputError where the fillets of a slot overlap
    * or the flank starts over the tip. */
   GearSection compute_gear_section(const GearGeometry &gear,
                                    double              cone_distance,
                                    unsigned int        flank_rows,
-                                   double              grading = 1.);
+                                   double              grading       = 1.,
+                                   double              fillet_corner = default_fillet_corner);
 
   /** The n + 1 sections at even steps of L from toe to heel. */
   std::vector<GearSection> compute_gear_sections(const GearGeometry &gear,
                                                  unsigned int        n,
                                                  unsigned int        flank_rows,
-                                                 double              grading = 1.);
+                                                 double              grading = 1.,
+                                                 double fillet_corner = default_fillet_corner);
 
   /** Position of a point (L, h) at polar angle @p angle [mm]. */
   Vector3 position_of(const BlankOutline &blank, double L, double h, double angle);

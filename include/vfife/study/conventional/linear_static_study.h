@@ -19,6 +19,13 @@ namespace vfife
     bool   spin_softening   = true;
     bool   stress_stiffness = true;
 
+    /** Section Adaptive refinement: steps end when this result changes by less than the tolerance
+     * from mesh to mesh; empty: one mesh. */
+    std::string  adapted_result;
+    double       adapted_tolerance = .01; ///< over the result [-]
+    double       marked_part       = .5;  ///< mark_elements()
+    unsigned int most_steps        = 6;
+
     /** Declares the section. */
     void declare(dealii::ParameterHandler &prm);
     /** Throws InputError when entries contradict each other. */
@@ -33,6 +40,10 @@ namespace vfife
    * The file is that of a run: section Dynamics is read and not used.
    */
   std::unique_ptr<StudyKind> make_linear_static_study();
+
+  /** adaptive_refinement.csv without rows: a row per mesh; the unit of the value is in the text
+   * beside it. */
+  Table make_adaptive_table();
 
   /** reactions.csv without rows. */
   Table make_reaction_table();
