@@ -138,8 +138,9 @@ namespace
     const Model model = make_pinion(ConstraintKind::free_rotation, 0., communicator);
     for (const FemElement element : {FemElement::quadratic, FemElement::cubic})
       {
-        const FemSpace space = FemSpace::sector_of(model, 0, {element, FemGeometry::curved, {}, {}});
-        Matrix3        gradient, spin;
+        const FemSpace space =
+          FemSpace::sector_of(model, 0, {element, FemGeometry::curved, {}, {}});
+        Matrix3 gradient, spin;
         gradient << 1e-3, 2e-4, -3e-4, 5e-4, -4e-4, 1e-4, 2e-4, 6e-4, 7e-4;
         spin << 0., -1e-3, 2e-3, 1e-3, 0., -5e-4, -2e-3, 5e-4, 0.;
         double deviation = 0, forces = 0;

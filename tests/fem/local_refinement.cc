@@ -208,7 +208,8 @@ int main(int argc, char **argv)
                  make_rod_model(),
                  {choice.second,
                   degree_of(choice.second) > 1 ? FemGeometry::curved : FemGeometry::straight,
-                  {"top 1"}},
+                  {"top 1"},
+                  {}},
                  ranks.world);
       stretch(choice.second, ranks.world);
     }

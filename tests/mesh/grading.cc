@@ -96,17 +96,19 @@ namespace
           quality.least_determinant > 0. && quality.least_scaled_jacobian > .45);
   }
 
-  /** Each fillet of tooth 0 has a node at that fraction of its arc, and none at another inner one. */
+  /** Each fillet of tooth 0 has a node at that fraction of its arc, and none at another inner one.
+   */
   void check_fillet_corner(const GearMember &member, const GearBodyOptions &options)
   {
-    const auto                 mesh  = make_gear_body(member, options);
-    const unsigned int         first = mesh->triangulation.n_vertices() / mesh->structure.n_sectors();
-    const double               L     = member.blank().outer_cone_distance;
+    const auto         mesh  = make_gear_body(member, options);
+    const unsigned int first = mesh->triangulation.n_vertices() / mesh->structure.n_sectors();
+    const double       L     = member.blank().outer_cone_distance;
     const std::vector<Vector3> places = {
       member.fillet_point(FlankSide::concave, L, 0.).position,
       member
-        .fillet_point(
-          FlankSide::concave, L, options.fillet_corner * member.fillet_end(FlankSide::concave))
+        .fillet_point(FlankSide::concave,
+                      L,
+                      options.fillet_corner * member.fillet_end(FlankSide::concave))
         .position,
       member.fillet_point(FlankSide::concave, L, member.fillet_end(FlankSide::concave)).position};
     unsigned int at_heel  = 0;

@@ -3,7 +3,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <nlohmann/json.hpp>
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
 
 #include <sstream>
 
@@ -11,33 +12,49 @@ namespace vfife
 {
   namespace
   {
-    using Json = nlohmann::ordered_json;
+    using Tree = boost::property_tree::ptree;
 
-    /** An entry has a value (or stands for another one, "alias") that is a text and no tree. */
-    bool is_entry(const Json &node)
+    /** An entry has a value (or is another name for one, "alias") that is a text and no tree. */
+    bool is_entry(const Tree &node)
     {
-      return node.is_object() && ((node.contains("value") && node["value"].is_string()) ||
-                                  (node.contains("alias") && node["alias"].is_string()));
+      for (const char *text : {"value", "alias"})
+        if (const auto found = node.find(text);
+            found != node.not_found() && found->second.empty())
+          return true;
+      return false;
     }
 
-    /** The tree of one section; @p node holds entries and inner sections side by side. */
-    DeclaredSection read_section(const std::string &name, const Json &node)
+    /** A name of which deal.II has written each character that is no letter or digit as _ and two
+     * hexadecimal digits. */
+    std::string read_name(const std::string &written)
+    {
+      std::string name;
+      for (std::size_t i = 0; i < written.size(); ++i)
+        if (written[i] == '_' && i + 2 < written.size())
+          {
+            name += static_cast<char>(std::stoi(written.substr(i + 1, 2), nullptr, 16));
+            i += 2;
+          }
+        else
+          name += written[i];
+      return name;
+    }
+
+    /** The tree of one section; @p node holds entries and inner sections side by side: an entry has
+     * a value, a section none. */
+    DeclaredSection read_section(const std::string &name, const Tree &node)
     {
       DeclaredSection section;
       section.name = name;
-      // a section without entries is written as an empty text
-      if (!node.is_object())
-        return section;
-      // Entries and sections stand side by side in deal.II's tree: one has a value, the other none.
-      for (const auto &[child_name, child] : node.items())
+      for (const auto &[written, child] : node)
         if (is_entry(child))
-          section.entries.push_back({child_name,
-                                     child.value("value", ""),
-                                     child.value("default_value", ""),
-                                     child.value("documentation", ""),
-                                     child.value("pattern_description", "")});
+          section.entries.push_back({read_name(written),
+                                     child.get<std::string>("value", ""),
+                                     child.get<std::string>("default_value", ""),
+                                     child.get<std::string>("documentation", ""),
+                                     child.get<std::string>("pattern_description", "")});
         else
-          section.sections.push_back(read_section(child_name, child));
+          section.sections.push_back(read_section(read_name(written), child));
       return section;
     }
 
@@ -156,11 +173,14 @@ namespace vfife
 
   DeclaredSection find_declared(const dealii::ParameterHandler &prm)
   {
-    // ParameterHandler lists its declarations in no other way than by printing them
+    // ParameterHandler lists its declarations in no other way than by printing them; as XML, since
+    // it prints JSON from several copies of its tree, which takes three times as long.
     std::stringstream text;
     prm.print_parameters(text,
-                         dealii::ParameterHandler::JSON |
+                         dealii::ParameterHandler::XML |
                            dealii::ParameterHandler::KeepDeclarationOrder);
-    return read_section("", Json::parse(text));
+    Tree tree;
+    boost::property_tree::read_xml(text, tree);
+    return read_section("", tree.get_child("ParameterHandler"));
   }
 } // namespace vfife

@@ -37,9 +37,9 @@ namespace vfife
     std::vector<double> indicators(space.n_elements());
     for (const FemSpace::Part &part : space.parts())
       {
-        const unsigned int            last = part.first_element + part.n_elements;
-        const auto                   &mesh = space.cell(part.first_element)->get_triangulation();
-        dealii::DoFHandler<3>         dofs(mesh);
+        const unsigned int    last = part.first_element + part.n_elements;
+        const auto           &mesh = space.cell(part.first_element)->get_triangulation();
+        dealii::DoFHandler<3> dofs(mesh);
         dofs.distribute_dofs(element);
         dealii::Vector<double>                       u(dofs.n_dofs());
         dealii::Vector<float>                        of_cells(mesh.n_active_cells());

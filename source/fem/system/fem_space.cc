@@ -97,13 +97,13 @@ namespace vfife
   {
     for (const unsigned int b : bodies)
       {
-        const Body &body = model.bodies[b];
+        const Body                            &body = model.bodies[b];
         std::vector<std::vector<unsigned int>> divisions;
         for (const FemSpaceOptions::Division &division : options.divisions)
           {
             const auto found = division.find(b);
-            divisions.push_back(found == division.end() ? std::vector<unsigned int>() :
-                                                          found->second);
+            divisions.push_back(found == division.end() ? std::vector<unsigned int>()
+                                                        : found->second);
           }
         const auto mesh = std::make_shared<const RefinedMesh>(body, refinements_, divisions);
         add_part(b, mesh, *mesh, body.node_positions(), body.n_nodes());

@@ -183,13 +183,13 @@ namespace vfife
       /** Takes the solution in. Whether another mesh is wanted: then @p fem has its elements. */
       bool go_on(const Solution &solution, FemOptions &fem, Log &log)
       {
-        const std::string        &name  = options_.adapted_result;
+        const std::string        &name   = options_.adapted_result;
         const Figure              figure = find_result(name, list_results(model_, &solution));
         const double              value  = figure.value;
-        const FemSpace           &space = solution.space();
+        const FemSpace           &space  = solution.space();
         const std::vector<double> errors = estimate_errors(space, solution.result.displacements);
         const double              step   = table_.n_rows();
-        const double last   = step == 0 ? value : table_.numbers("value").back();
+        const double              last   = step == 0 ? value : table_.numbers("value").back();
         change_             = std::abs(value - last) / std::max(std::abs(value), std::abs(last));
         const double square = std::inner_product(errors.begin(), errors.end(), errors.begin(), 0.);
         table_.add_row({step,
@@ -311,11 +311,11 @@ namespace vfife
                      const OutputFolder &folder,
                      NamedFigures       &figures,
                      Log                &log) const;
-      void  write_probes(const OutputFolder        &folder,
-                         const Model               &model,
-                         const FemSpace            &space,
-                         const StaticResult        &result,
-                         const std::vector<Stress> &stresses) const;
+      void     write_probes(const OutputFolder        &folder,
+                            const Model               &model,
+                            const FemSpace            &space,
+                            const StaticResult        &result,
+                            const std::vector<Stress> &stresses) const;
 
       std::unique_ptr<Case> case_;
       DynamicsOptions       dynamics_;
@@ -514,8 +514,7 @@ namespace vfife
     write_probes(folder, model, space, result, solution.stresses);
     if (output_.fields_every > 0)
       write_fields(folder, space, result, solution.stresses);
-    write_csv(
-      folder, "reactions.csv", list_reactions(space, compute_reactions(space, result)));
+    write_csv(folder, "reactions.csv", list_reactions(space, compute_reactions(space, result)));
     write_summary(folder, summary, log);
     if (output_.pictures)
       draw_pictures(folder, log);

@@ -20,10 +20,8 @@ namespace
   void write_plate()
   {
     constexpr unsigned int n = 2, row = 2 * n + 1, layer = row * row;
-    constexpr double       h      = 10. / n;
-    const auto             inside = [](const unsigned int i, const unsigned int j) {
-      return i <= n || j <= n;
-    };
+    constexpr double       h = 10. / n;
+    const auto inside = [](const unsigned int i, const unsigned int j) { return i <= n || j <= n; };
     std::ofstream file("l_plate.inp");
     std::string   sets[3] = {"*NSET, NSET=foot\n", "*NSET, NSET=end\n", "*NSET, NSET=sides\n"};
     file << "*NODE\n";
@@ -62,8 +60,9 @@ namespace
            "subsection Model\n set bodies = plate\n set constraints = foot, sides\n"
            " set loads = pull\n set probes = corner\n"
            "subsection Body plate\n set mesh = file\n set file = l_plate.inp\nend\n" +
-           model_text::section("Constraint foot",
-                               "set nodes = foot\nset kind = displacement\nset directions = x, y\n") +
+           model_text::section(
+             "Constraint foot",
+             "set nodes = foot\nset kind = displacement\nset directions = x, y\n") +
            model_text::section("Constraint sides",
                                "set nodes = sides\nset kind = displacement\nset directions = z\n") +
            model_text::section("Load pull",
@@ -80,12 +79,11 @@ namespace
     // Nine steps of the adaptive refinement, 3,918 elements; uniform meshes approach it from below:
     // 0.13040, 0.13121, 0.13151 with 3,375, 22,491 and 163,251 unknowns.
     constexpr double energy = .13168;
-    const auto       uniform =
-      run_text("l_uniform", plate(" set local refinement = all 2\n", ""), world);
+    const auto uniform = run_text("l_uniform", plate(" set local refinement = all 2\n", ""), world);
     const double of_uniform = energy - uniform.at("strain energy")[0];
 
     run_text("l_plate", plate("", "set result = strain energy\nset tolerance = 2e-3\n"), world);
-    const auto steps = read_columns("l_plate/adaptive_refinement.csv");
+    const auto  steps  = read_columns("l_plate/adaptive_refinement.csv");
     const auto &change = steps.at("change"), &unknowns = steps.at("unknowns"),
                &value = steps.at("value"), &error = steps.at("error indicator");
     check("a row per mesh", steps.at("step").size() == 5 && steps.at("step").back() == 4);
@@ -102,8 +100,7 @@ namespace
     // Displacements are as r^0.544 at the corner, so that on uniform meshes derivatives converge
     // with h^0.544, unknowns to the power -0.18.
     check("indicators fall faster than on uniform meshes",
-          std::log(error.back() / error.front()) /
-              std::log(unknowns.back() / unknowns.front()) <
+          std::log(error.back() / error.front()) / std::log(unknowns.back() / unknowns.front()) <
             -.4);
     const double of_uniform_mesh = 22491;
     check_below("unknowns for the error of the uniform mesh, over its own",
@@ -127,7 +124,8 @@ namespace
 
   void refusals(Communicator &world)
   {
-    print_refusal([&] { run_text("l_refused", plate("", "set result = corner von mses\n"), world); });
+    print_refusal(
+      [&] { run_text("l_refused", plate("", "set result = corner von mses\n"), world); });
     print_refusal([&] { run_text("l_refused", plate("", "set marked part = 2\n"), world); });
   }
 } // namespace

@@ -27,8 +27,8 @@ namespace vfife
     std::vector<Vector2> lower, upper;
   };
 
-  /** Where in the fillet the blocks of tooth, rim and root land meet (P): fraction of its blade edge
-   * angle from the bottom, 42 of 70 deg. */
+  /** Where in the fillet the blocks of tooth, rim and root land meet (P): fraction of its blade
+   * edge angle from the bottom, 42 of 70 deg. */
   constexpr double default_fillet_corner = .6;
 
   /** @p grading: last over first step of h. Throws InputError where the fillets of a slot overlap
