@@ -25,4 +25,12 @@ inline std::string few_teeth(const std::string &gear_body, const std::string &ge
          "/tests/study/quick_contact/contact.prm\n\n\n";
 }
 
+/** One tooth mesh of that pair: as long as 2.7 of the paper's. */
+inline std::string quick_few_teeth(const std::string &gear_body,
+                                   const std::string &gear_mesh,
+                                   const std::string &tolerance)
+{
+  return few_teeth(gear_body, gear_mesh) + one_tooth_mesh(tolerance);
+}
+
 #endif

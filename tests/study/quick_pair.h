@@ -37,12 +37,10 @@ inline std::string coarse_pair(const std::string &gear_body, const std::string &
 constexpr char coarse_web[] = "set rim rows = 3\nset web layers = 1\nset web rows = 3\n"
                               "set hub rows = 1\nset hub side cells = 1";
 
-/** One tooth mesh of that pair. */
-inline std::string
-quick_pair(const std::string &gear_body, const std::string &gear_mesh, const std::string &tolerance)
+/** Sections of a run of one tooth mesh. */
+inline std::string one_tooth_mesh(const std::string &tolerance)
 {
-  return coarse_pair(gear_body, gear_mesh) +
-         R"(
+  return R"(
 subsection Operation
   set speed        = 20000 rpm
   set torque       = 800 N m
@@ -60,6 +58,13 @@ subsection Output
   set verbosity     = quiet
 end
 )";
+}
+
+/** One tooth mesh of that pair. */
+inline std::string
+quick_pair(const std::string &gear_body, const std::string &gear_mesh, const std::string &tolerance)
+{
+  return coarse_pair(gear_body, gear_mesh) + one_tooth_mesh(tolerance);
 }
 
 /** Does the case of a parameter file without a word, with other entries, or goes on with it. */

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 using namespace vfife;
 
@@ -92,10 +93,12 @@ namespace
     const std::string name = kind + " " + start;
     std::ofstream("steady_swing.prm") << quick_pair("set web = conical", coarse_web, "1e-6")
                                       << "subsection Study\n set kind = " << kind << "\nend\n";
-    run_pair("steady_swing.prm",
-             name,
-             world,
-             {"Operation/tooth meshes=4", "Dynamics/start=" + start});
+    // From rest it swings to the other side within half a period of 5.8 tooth meshes.
+    std::vector<std::string> entries = {"Operation/tooth meshes=3", "Dynamics/start=" + start};
+    // Both starts have the same bodies. The swing of 1.5 kHz is far below their cut-off.
+    if (kind == "reduced")
+      entries.insert(entries.end(), {"Reduced/cutoff frequency=20 kHz", "Reduced/store=bodies"});
+    run_pair("steady_swing.prm", name, world, entries);
     const auto  history = read_columns(name + "/history.csv");
     const auto &errors  = history.at("dte");
     const auto  ends    = std::minmax_element(errors.begin(), errors.end());
@@ -116,6 +119,7 @@ namespace
 
 int main(int argc, char **argv)
 {
+  std::filesystem::remove_all("bodies");
   is_periodic();
   is_bounded();
   run_parts<Communicator>(argc, argv, {runs_swing_less});
