@@ -18,8 +18,7 @@ namespace vfife
     bool is_entry(const Tree &node)
     {
       for (const char *text : {"value", "alias"})
-        if (const auto found = node.find(text);
-            found != node.not_found() && found->second.empty())
+        if (const auto found = node.find(text); found != node.not_found() && found->second.empty())
           return true;
       return false;
     }

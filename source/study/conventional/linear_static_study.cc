@@ -190,7 +190,8 @@ namespace vfife
         const std::vector<double> errors = estimate_errors(space, solution.result.displacements);
         const double              step   = table_.n_rows();
         const double              last   = step == 0 ? value : table_.numbers("value").back();
-        change_             = std::abs(value - last) / std::max(std::abs(value), std::abs(last));
+        change_ =
+          value == last ? 0. : std::abs(value - last) / std::max(std::abs(value), std::abs(last));
         const double square = std::inner_product(errors.begin(), errors.end(), errors.begin(), 0.);
         table_.add_row({step,
                         space.n_elements(),
@@ -297,6 +298,8 @@ namespace vfife
                    " elements, ",
                    model.bodies[b].rate * 30 / pi,
                    " rpm");
+        if (!options_.adapted_result.empty())
+          AdaptiveSteps(options_, model); // refuses another name
       }
 
       void run(OutputFolder &folder, Log &log) override;

@@ -422,12 +422,11 @@ namespace
     check("parts of the transmission error in the summary",
           whole.at("transmission error") == parts.at("transmission error"));
     print_refusal([&]() {
-      run_pair(
-        "goes_on.prm",
-        "parts",
-        world,
-        {"Reduced/store=few_bodies", "Operation/torque=700 N m"},
-        true);
+      run_pair("goes_on.prm",
+               "parts",
+               world,
+               {"Reduced/store=few_bodies", "Operation/torque=700 N m"},
+               true);
     });
   }
 
