@@ -125,8 +125,11 @@ namespace
     const auto begun = [] {
       return read_text("early/run.log").find("equilibrium before the start") != std::string::npos;
     };
-    const std::string pair   = tree_folder() + "/prm/spiral_bevel_quick.prm";
-    const Ending      ending = run_program({program, pair, "-o", "early"}, begun, SIGINT);
+    const std::string pair = tree_folder() + "/prm/spiral_bevel_quick.prm";
+    const Ending      ending =
+      run_program({program, pair, "-o", "early", "--set", "Contact/penalty=1071025"},
+                  begun,
+                  SIGINT);
     check("stopped in the equilibrium: ended by the signal", ending.exit_code == -1);
     check("stopped in the equilibrium: message",
           ending.text.find(
