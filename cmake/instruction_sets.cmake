@@ -5,12 +5,10 @@
 
 # Debug: the compiler would give up tracking the variables of the unrolled loops, and say so.
 set(kernel_flags -O3 -fno-math-errno -ffp-contract=fast -fno-var-tracking-assignments)
-if(VFIFE_SANITIZE)
-  list(REMOVE_ITEM kernel_flags -O3) # minutes for each file
-endif()
 set(kernel_flags_generic "")
 set(kernel_flags_sse2 -march=x86-64)
 if(VFIFE_SANITIZE)
+  list(REMOVE_ITEM kernel_flags -O3) # minutes for each file
   # These do not compile in ten minutes; the same source is checked by the two other sets.
   set(kernel_flags_generic -fno-sanitize=all)
   list(APPEND kernel_flags_sse2 -fno-sanitize=all)

@@ -48,7 +48,7 @@ namespace
           {
             const Model model = make_ring_model(8 * times);
             error[times - 1] =
-              volume_of(FemSpace(model, {0}, {element, FemGeometry::curved, {}, {}})) / exact - 1.;
+              volume_of(FemSpace(model, {0}, {element, FemGeometry::curved})) / exact - 1.;
           }
         check_close("volume of a ring, order with degree " + std::to_string(degree),
                     std::log2(error[0] / error[1]),
@@ -138,9 +138,8 @@ namespace
     const Model model = make_pinion(ConstraintKind::free_rotation, 0., communicator);
     for (const FemElement element : {FemElement::quadratic, FemElement::cubic})
       {
-        const FemSpace space =
-          FemSpace::sector_of(model, 0, {element, FemGeometry::curved, {}, {}});
-        Matrix3 gradient, spin;
+        const FemSpace space = FemSpace::sector_of(model, 0, {element, FemGeometry::curved});
+        Matrix3        gradient, spin;
         gradient << 1e-3, 2e-4, -3e-4, 5e-4, -4e-4, 1e-4, 2e-4, 6e-4, 7e-4;
         spin << 0., -1e-3, 2e-3, 1e-3, 0., -5e-4, -2e-3, 5e-4, 0.;
         double deviation = 0, forces = 0;
@@ -213,7 +212,7 @@ namespace
     model.bodies[0].placement.translation = Vector3(0., 10., 0.);
     try
       {
-        FemSpace(model, {0}, {FemElement::quadratic, FemGeometry::curved, {}, {}});
+        FemSpace(model, {0}, {FemElement::quadratic, FemGeometry::curved});
         check("a folded element is refused", false);
       }
     catch (const NumericalError &error)

@@ -102,7 +102,7 @@ namespace
   void points_on_surfaces()
   {
     const Model    model = make_block_model();
-    const FemSpace space(model, {0}, {FemElement::quadratic, FemGeometry::straight, {"x- 2"}, {}});
+    const FemSpace space(model, {0}, {FemElement::quadratic, FemGeometry::straight, {"x- 2"}});
     const auto     points = space.points_of(space.parts()[0], model.bodies[0].node_set("y-"));
     unsigned int   there  = 0;
     for (const Vector3 &x : space.points())
@@ -190,7 +190,7 @@ namespace
     const Model model = make_block_model();
     for (const char *text : {"x-", "x- 9", "x- 1.5", "x- -1", "fillet 1", "X- 1"})
       print_refusal([&] {
-        FemSpace(model, {0}, {FemElement::quadratic, FemGeometry::straight, {text}, {}});
+        FemSpace(model, {0}, {FemElement::quadratic, FemGeometry::straight, {text}});
       });
   }
 } // namespace
@@ -202,14 +202,13 @@ int main(int argc, char **argv)
     {
       patch_test("block, " + choice.first,
                  make_block_model(),
-                 {choice.second, FemGeometry::straight, {"x- 2"}, {}},
+                 {choice.second, FemGeometry::straight, {"x- 2"}},
                  ranks.world);
       patch_test("rod, " + choice.first,
                  make_rod_model(),
                  {choice.second,
                   degree_of(choice.second) > 1 ? FemGeometry::curved : FemGeometry::straight,
-                  {"top 1"},
-                  {}},
+                  {"top 1"}},
                  ranks.world);
       stretch(choice.second, ranks.world);
     }

@@ -96,8 +96,8 @@ namespace
           quality.least_determinant > 0. && quality.least_scaled_jacobian > .45);
   }
 
-  /** Each fillet of tooth 0 has a node at that fraction of its arc, and none at another inner one.
-   */
+  /** At the heel, the concave fillet of tooth 0 has nodes at its bottom, at that fraction of its
+   * arc and at its end. */
   void check_fillet_corner(const GearMember &member, const GearBodyOptions &options)
   {
     const auto         mesh  = make_gear_body(member, options);

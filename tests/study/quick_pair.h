@@ -60,6 +60,9 @@ end
 )";
 }
 
+/** The penalty of contact.prm as an entry, for starts without calibration. */
+constexpr char quick_penalty[] = "Contact/penalty=1071025";
+
 /** One tooth mesh of that pair. */
 inline std::string
 quick_pair(const std::string &gear_body, const std::string &gear_mesh, const std::string &tolerance)
@@ -84,7 +87,22 @@ inline void run_case(const std::string              &file,
   vfife::run_study(line, communicator, log);
 }
 
-/** The same of a kind that reads the section Output, without its report. */
+/** What --check says of the case. */
+inline std::string check_case(const std::string              &file,
+                              vfife::Communicator            &communicator,
+                              const std::vector<std::string> &overrides = {})
+{
+  vfife::CommandLine line;
+  line.parameter_file = file;
+  line.overrides      = overrides;
+  line.check          = true;
+  std::ostringstream said;
+  vfife::Log         log(said, communicator.is_root());
+  vfife::run_study(line, communicator, log);
+  return said.str();
+}
+
+/** run_case() of a kind that reads the section Output, without its report. */
 inline void run_pair(const std::string       &file,
                      const std::string       &folder,
                      vfife::Communicator     &communicator,

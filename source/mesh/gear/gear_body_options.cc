@@ -186,6 +186,7 @@ namespace vfife
     options.refinements      = 0;
     options.element_size = options.edge_in_modules = 0.;
     options.grading_towards_fillet = options.grading_towards_flank = 1.;
+    options.fillet_corner                                          = default_fillet_corner;
     return options;
   }
 } // namespace vfife

@@ -89,14 +89,7 @@ namespace
                    Communicator                   &communicator,
                    const std::string              &file = "pressure.prm")
   {
-    CommandLine line;
-    line.parameter_file = file;
-    line.check          = true;
-    line.overrides      = overrides;
-    std::ostringstream screen;
-    Log                log(screen, true);
-    run_study(line, communicator, log);
-    return screen.str();
+    return check_case(file, communicator, overrides);
   }
 
   void pressures(Communicator &communicator)

@@ -54,7 +54,7 @@ int main(int argc, char **argv)
   for (const auto &choice : fem_element_choices())
     for (const bool divided : {false, true})
       {
-        FemSpaceOptions options{choice.second, FemGeometry::straight, {}, {}};
+        FemSpaceOptions options{choice.second, FemGeometry::straight};
         if (degree_of(choice.second) > 1)
           options.geometry = FemGeometry::curved;
         if (divided)

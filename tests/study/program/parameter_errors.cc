@@ -3,6 +3,7 @@
 // meant; what --check says of one that is right, and of materials that are none.
 #include "../../refusal.h"
 #include "../../tests.h"
+#include "../quick_pair.h"
 
 #include <vfife/base/errors.h>
 #include <vfife/base/process/command_line.h>
@@ -36,15 +37,9 @@ namespace
               Communicator                   &communicator,
               const std::vector<std::string> &overrides = {})
   {
-    CommandLine line;
-    line.parameter_file = name;
-    line.overrides      = overrides;
-    line.check          = true;
-    std::ostringstream nothing;
-    Log                log(nothing, true, Verbosity::quiet);
     try
       {
-        run_study(line, communicator, log);
+        check_case(name, communicator, overrides);
         std::cout << "FAILED: accepted" << std::endl;
       }
     catch (const InputError &error)
@@ -77,14 +72,7 @@ namespace
             const std::vector<std::string> &words,
             const std::vector<std::string> &overrides = {})
   {
-    CommandLine line;
-    line.parameter_file = name;
-    line.overrides      = overrides;
-    line.check          = true;
-    std::ostringstream said;
-    Log                log(said, true);
-    run_study(line, communicator, log);
-    std::istringstream lines(said.str());
+    std::istringstream lines(check_case(name, communicator, overrides));
     for (std::string one; std::getline(lines, one);)
       for (const std::string &word : words)
         if (one.compare(0, word.size(), word) == 0)

@@ -48,15 +48,9 @@ namespace
   /** What --check says against a file; empty: nothing. */
   std::string find_fault(const ShippedFile &file, Communicator &world)
   {
-    CommandLine line;
-    line.parameter_file = file.path;
-    line.output_folder  = "checked";
-    line.check          = true;
-    std::ostringstream nothing;
-    Log                log(nothing, world.is_root(), Verbosity::quiet);
     try
       {
-        run_study(line, world, log);
+        check_case(file.path, world);
       }
     catch (const std::exception &error)
       {

@@ -64,7 +64,7 @@ int main(int argc, char **argv)
   Communicator world  = session.world();
   const Curve  grid   = analyse({}, world),
               springs = analyse({"Loaded contact/pressure cells=0"}, world),
-              given   = analyse({"Contact/penalty=1071025",
+              given   = analyse({quick_penalty,
                                  "Loaded contact/pressure cells=0",
                                  "Loaded contact/positions=1"},
                               world);

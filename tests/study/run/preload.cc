@@ -63,9 +63,7 @@ int main(int argc, char **argv)
     run_pair(tree_folder() + "/prm/spiral_bevel_quick.prm",
              "going_round",
              session.world(),
-             {"Operation/speed=" + speed,
-              "Dynamics/largest number of steps=1",
-              "Contact/penalty=1071025"});
+             {"Operation/speed=" + speed, "Dynamics/largest number of steps=1", quick_penalty});
     return read_columns("going_round/history.csv").at("contact torque on the gear").front();
   };
   check_close("going round [N m]", torque_at("9139.51 rpm"), torque_at("9000 rpm"), 1e-2);

@@ -127,9 +127,7 @@ namespace
     };
     const std::string pair = tree_folder() + "/prm/spiral_bevel_quick.prm";
     const Ending      ending =
-      run_program({program, pair, "-o", "early", "--set", "Contact/penalty=1071025"},
-                  begun,
-                  SIGINT);
+      run_program({program, pair, "-o", "early", "--set", quick_penalty}, begun, SIGINT);
     check("stopped in the equilibrium: ended by the signal", ending.exit_code == -1);
     check("stopped in the equilibrium: message",
           ending.text.find(

@@ -96,7 +96,7 @@ namespace
   {
     std::vector<std::string> entries = {"Operation/end time=1 ms",
                                         "Output/order window=2",
-                                        "Contact/penalty=1071025",
+                                        quick_penalty,
                                         "Output/pictures=no",
                                         "Output/verbosity=quiet"};
     for (const std::string member : {"Pinion", "Gear"})

@@ -49,7 +49,7 @@ namespace vfife
              const std::vector<unsigned int> &bodies,
              const FemSpaceOptions           &options);
     FemSpace(const Model &model, const std::vector<unsigned int> &bodies, FemElement element)
-      : FemSpace(model, bodies, FemSpaceOptions{element, FemGeometry::straight, {}, {}})
+      : FemSpace(model, bodies, FemSpaceOptions{element, FemGeometry::straight})
     {
     }
 

@@ -35,15 +35,15 @@ namespace vfife
   /** What a FemSpace is made of. */
   struct FemSpaceOptions
   {
-    FemElement               element  = FemElement::incompatible_modes;
-    FemGeometry              geometry = FemGeometry::straight;
-    std::vector<std::string> local_refinement; ///< read_local_refinements()
+    FemElement               element          = FemElement::incompatible_modes;
+    FemGeometry              geometry         = FemGeometry::straight;
+    std::vector<std::string> local_refinement = {}; ///< read_local_refinements()
 
     /** Elements of bodies of the model (numbers in the body's part of the space) to divide. */
     using Division = std::map<unsigned int, std::vector<unsigned int>>;
     /** Steps after the local refinement; numbers are those after the step before. None with cyclic
      * symmetry. */
-    std::vector<Division> divisions;
+    std::vector<Division> divisions = {};
   };
 } // namespace vfife
 
