@@ -17,10 +17,10 @@ cases = Path(__file__).resolve().parents[1] / "prm"
 # %% [markdown]
 # The program proposes blanks and machine settings from tooth numbers and module. A case is a parameter file; `run()`
 # does what `Study/kind` says, here the unloaded tooth contact analysis, and `summary` has its figures with units. Without
-# `Output/pictures` a run draws its report, which takes longer than the analysis.
+# `Output/report` a run draws its report, which takes longer than the analysis.
 
 # %%
-pair = vfife.Case(cases / "gear/proposed_17_43.prm").set("Output/pictures", False)
+pair = vfife.Case(cases / "gear/proposed_17_43.prm").set("Output/report", False)
 result = pair.run(output="results/proposed")
 for name in ("drive side, contact ratio", "drive side, peak to peak"):
     print(name, "=", result.summary[name])
@@ -59,7 +59,7 @@ except vfife.InputError as error:
 # A rho c v/2 until the wave comes back from the free end.
 
 # %%
-bars = vfife.Case(cases / "verification/two_bars.prm").set("Output/pictures", False)
+bars = vfife.Case(cases / "verification/two_bars.prm").set("Output/report", False)
 print(*bars.check().text.splitlines()[:2], sep="\n")
 history = bars.run(output="results/bars").history
 in_contact = (history["time"] > 10e-6) & (history["time"] < 30e-6)

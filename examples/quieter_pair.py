@@ -28,9 +28,9 @@ subsection Gear pair
   end
   subsection Gear
     subsection Body
-      set web           = conical
+      set body type     = conical web
       set web thickness = 4 mm
-      set web angle     = 60 deg
+      set web inclination = 60 deg
     end
   end
 end
@@ -49,13 +49,13 @@ base = gear.Pair.from_text(PAIR)
 
 # %% [markdown]
 # Tables are numpy arrays in the units that the program's files state. What is to become small is the transmission
-# error's peak to peak over a tooth mesh. Flanks that cannot be cut, or would not touch as they should, are no error of
+# error's peak to peak over a mesh cycle. Flanks that cannot be cut, or would not touch as they should, are no error of
 # the search: the program says what is wrong with them, and they count as infinitely loud.
 
 
 # %%
 def make_pair(length, angle):
-    return base.set("Gear pair/Proposal/ellipse length", length).set("Gear pair/Proposal/path angle", angle)
+    return base.set("Gear pair/Proposal/contact ellipse ratio", length).set("Gear pair/Proposal/path direction", angle)
 
 
 def ripple(length, angle):

@@ -43,8 +43,8 @@ namespace model_text
     std::ostringstream text;
     text << "set mesh = ring\nset inner radius = " << size[0]
          << " mm\nset outer radius = " << size[1] << " mm\nset height = " << size[2]
-         << " mm\nset radial cells = " << cells[0] << "\nset cells around = " << cells[1]
-         << "\nset axial cells = " << cells[2] << "\n";
+         << " mm\nset radial elements = " << cells[0] << "\nset elements around = " << cells[1]
+         << "\nset axial elements = " << cells[2] << "\n";
     return section("Body " + name, text.str() + more);
   }
 
@@ -59,8 +59,8 @@ namespace model_text
 /** A section Output that writes its histories every so many steps and nothing else. */
 inline std::string quiet_output(const unsigned int history_every)
 {
-  return "subsection Output\n set history every = " + std::to_string(history_every) +
-         "\n set pictures = no\n set checkpoint every = 0\n set verbosity = quiet\nend\n";
+  return "subsection Output\n set steps per sample = " + std::to_string(history_every) +
+         "\n set report = no\n set checkpoint interval = 0\n set verbosity = quiet\nend\n";
 }
 
 #endif

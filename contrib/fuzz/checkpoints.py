@@ -8,19 +8,20 @@ from job import ROOT, Job
 from mutation import change_bytes, pick
 
 HEADER = struct.Struct("<16sQQQ")  # mark, version of the format, size, CRC-32 of what follows
-STEPS = "Dynamics/largest number of steps="
+STEPS = "Dynamics/maximum number of steps="
 WORDS = [struct.pack("<Q", n) for n in (0, 1, 2**31, 2**32 - 1, 2**62, 2**64 - 1)] + [
     struct.pack("<d", x) for x in (float("nan"), float("inf"), -1.0, 1e300)]
-QUIET = ["--set", "Output/pictures=no", "--set", "Output/verbosity=quiet", "--set", "Output/fields every=10",
-         "--set", "Output/history every=3"]
+QUIET = ["--set", "Output/report=no", "--set", "Output/verbosity=quiet", "--set", "Output/field output interval=10"]
 SMALL = [f"--set={entry}" for entry in (
-    "Model/Body flying/cells x=8", "Model/Body resting/cells x=8", "Dynamics/damping=500", "Dynamics/end time=60 us")]
+    "Model/Body flying/elements x=8", "Model/Body resting/elements x=8", "Dynamics/mass proportional damping=500",
+    "Dynamics/end time=60 us", "Output/steps per sample=3")]
 # A pair is small enough when its teeth are coarse and few steps are made.
 PAIR = [f"--set={entry}" for entry in (
-    "Dynamics/start=ramp", "Gear pair/Pinion/Mesh/cells lengthwise=2", "Gear pair/Gear/Mesh/cells lengthwise=2",
-    "Gear pair/Pinion/Mesh/flank rows=1", "Gear pair/Gear/Mesh/flank rows=1", "Gear pair/Pinion/Mesh/rim rows=1",
-    "Gear pair/Gear/Mesh/rim rows=1", "Gear pair/Gear/Body/web=none", "Operation/tooth meshes=1", "Operation/ramp=0.5",
-    "Contact/penalty=1071025")]  # no calibration, which takes seconds
+    "Dynamics/start=ramp", "Gear pair/Pinion/Mesh/elements along face width=2",
+    "Gear pair/Gear/Mesh/elements along face width=2", "Gear pair/Pinion/Mesh/elements along profile=1",
+    "Gear pair/Gear/Mesh/elements along profile=1", "Gear pair/Pinion/Mesh/elements through rim=1",
+    "Gear pair/Gear/Mesh/elements through rim=1", "Gear pair/Gear/Body/body type=rim only", "Operation/mesh cycles=1", "Operation/ramp=0.5",
+    "Contact/penalty=1071025", "Output/samples per mesh cycle=3")]  # no calibration, which takes seconds
 
 
 class Seeds:

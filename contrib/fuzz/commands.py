@@ -18,16 +18,16 @@ subsection Dynamics
   set end time = 1 us
 end
 subsection Output
-  set pictures = no
+  set report = no
 end
 """
 OPTIONS = ["-o", "--output", "--set", "--restart", "--check", "--print-parameters", "--parameter-reference", "--version",
            "--help", "-h", "--", "-", "--set=", "-o=", "--output=x", "-ox", "--no-such", "-x", ""]
 FOLDERS = ["out", "--help", "-x", "", " ", "a b", "a'b", 'a"b', "$(touch hit)", "a;b", "/dev/null", "/proc/x", "case.prm", ".",
            "a/b/c", "x" * 300, "a\nb", b"\xff", b"out\xc3\x28", "\u00fc", "/", "/dev/full", "~", "*", "-"]
-OVERRIDES = ["Study/output folder={}", "Dynamics/end time={}", "Model/Body a/cells x={}", "Model/bodies={}", "Study/kind={}",
+OVERRIDES = ["Study/output folder={}", "Dynamics/end time={}", "Model/Body a/elements x={}", "Model/bodies={}", "Study/kind={}",
              "Model/Body a/initial velocity x={}", "Model/Probe p/point={}", "{}", "={}", "/{}=1", "Model//cells={}",
-             "Model/Body {}/cells x=1", "Output/history every={}", "Dynamics/largest number of steps={}", "Output/pictures={}"]
+             "Model/Body {}/elements x=1", "Output/steps per sample={}", "Dynamics/maximum number of steps={}", "Output/report={}"]
 
 
 class Seeds:

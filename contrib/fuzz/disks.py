@@ -8,7 +8,7 @@ from mutation import pick
 
 FILES = ["parameters.prm.part", "parameters.json.part", "run.log", "history.csv", "fields/00000.vtu.part",
          "fields/00001.vtu.part", "fields.pvd.part", "summary.json.part", "checkpoint.new.bin.part"]
-MORE = ["--set", "Output/fields every=1", "--set", "Output/history every=1"]
+MORE = ["--set", "Output/field output interval=1", "--set", "Output/steps per sample=1"]
 
 
 class Seeds:

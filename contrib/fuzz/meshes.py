@@ -19,9 +19,9 @@ end
 COUNTS = (2, 2, 3)  # cells of the small block along x, y, z
 ORDER = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))
 SMALL_GEAR = [f"--set={entry}" for entry in (
-    "Gear pair/Pinion/Mesh/cells lengthwise=2", "Gear pair/Gear/Mesh/cells lengthwise=2",
-    "Gear pair/Pinion/Mesh/flank rows=1", "Gear pair/Gear/Mesh/flank rows=1", "Gear pair/Pinion/Mesh/rim rows=1",
-    "Gear pair/Gear/Mesh/rim rows=1", "Export/flank points lengthwise=3", "Export/flank points profile=3")]
+    "Gear pair/Pinion/Mesh/elements along face width=2", "Gear pair/Gear/Mesh/elements along face width=2",
+    "Gear pair/Pinion/Mesh/elements along profile=1", "Gear pair/Gear/Mesh/elements along profile=1", "Gear pair/Pinion/Mesh/elements through rim=1",
+    "Gear pair/Gear/Mesh/elements through rim=1", "Export/flank points lengthwise=3", "Export/flank points profile=3")]
 WORDS = ["$Nodes", "$EndNodes", "$Elements", "$EndElements", "$Entities", "$EndEntities", "$MeshFormat", "$PhysicalNames",
          "$EndPhysicalNames", "4.1 0 8", "2.2 0 8", "4.1 1 8", "1 2 3 4", "8 5 8 1", "0 0 0 0", "*NODE", "*ELEMENT, TYPE=C3D8",
          "*ELEMENT, TYPE=C3D4", "*NSET, NSET=A, GENERATE", "1, 99999999999, 1", "1, 1000000000, 1", "*ELSET, ELSET=ALL",

@@ -4,9 +4,9 @@ import re
 
 SMALL_BODY = """  subsection Body a
     set mesh = block
-    set cells x = 2
-    set cells y = 1
-    set cells z = 1
+    set elements x = 2
+    set elements y = 1
+    set elements z = 1
   end
 """
 NUMBERS = ["0", "-1", "1", "-0", "2", "1e9", "1e6", "1e300", "1e-300", "1e400", "-1e9", "nan", "-nan", "inf", "-inf", "0.5",

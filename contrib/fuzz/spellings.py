@@ -35,7 +35,7 @@ subsection Model
   end
 end
 subsection Output
-  set pictures = no
+  set report = no
 end
 """
 TABLE = [(0.0, 0.75), (1e-3, 1.5), (2.5e-3, -2.0)]

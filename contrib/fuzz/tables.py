@@ -29,7 +29,7 @@ subsection Model
   end
 end
 subsection Output
-  set pictures = no
+  set report = no
 end
 """
 COMPARE = """subsection Study
@@ -38,7 +38,7 @@ COMPARE = """subsection Study
 end
 subsection Compare
   set cases = rest, linear
-  set pictures = no
+  set report = no
   subsection Case rest
     set results = rest
   end
@@ -79,7 +79,7 @@ class Seeds:
         note, content = mutate_text(rng, (STIFFNESS if how == 1 else HISTORY).encode(), WORDS)
         path.write_bytes(content)
         if how == 1:
-            arguments = [str(ROOT / "prm/lumped/torsional_pair.prm"), "--set=Lumped/mesh=loaded contact",
+            arguments = [str(ROOT / "prm/lumped/torsional_pair.prm"), "--set=Lumped/mesh stiffness source=loaded contact",
                          "--set=Lumped/table=table.csv", "--check"]
         else:
             (folder / "block.prm").write_text(BLOCK)

@@ -13,11 +13,11 @@ namespace vfife
                                                 {"mean speed", DampingRate::mean_speed}};
 
     const Choices<StepBound> step_bounds = {{"element", StepBound::element},
-                                            {"assembly", StepBound::assembly}};
+                                            {"global", StepBound::assembly}};
 
     const Choices<bool> precisions = {{"double", false}, {"single", true}};
 
-    const Choices<Start> starts = {{"static preload", Start::static_preload},
+    const Choices<Start> starts = {{"static equilibrium", Start::static_preload},
                                    {"steady swing", Start::steady_swing},
                                    {"ramp", Start::ramp},
                                    {"undeformed", Start::undeformed}};
@@ -28,40 +28,42 @@ namespace vfife
     /** Entries of the dampers, in the section entered. */
     void declare_damping(dealii::ParameterHandler &prm, DynamicsOptions &options)
     {
-      declare_quantity(
-        prm,
-        "damping",
-        options.damping,
-        "1/s",
-        "zeta of the damping force -zeta m (v - u), u the rigid motion that supports leave free or "
-        "prescribe: of a body on its axis the turn about it, of a clamped or sprung one none",
-        Range::not_negative());
-      declare_number(
-        prm,
-        "damping ratio",
-        options.damping_ratio,
-        "Instead of damping: damping ratio of a vibration at the damping frequency, "
-        "zeta/(4 pi frequency); at others it goes with the reciprocal of the frequency; "
-        "0: damping holds",
-        Range::between(0., 1.));
+      declare_quantity(prm,
+                       "mass proportional damping",
+                       options.damping,
+                       "1/s",
+                       "Mass proportional damping zeta (Rayleigh's alpha): force -zeta m (v - u) "
+                       "on each node with "
+                       "velocity v; u is the velocity of the rigid motion that the supports allow: "
+                       "the rotation of a rotating body, 0 of a clamped or sprung body",
+                       Range::not_negative());
+      declare_number(prm,
+                     "damping ratio",
+                     options.damping_ratio,
+                     "Damping ratio at the damping frequency, instead of mass proportional "
+                     "damping: zeta = 4 pi ratio frequency; at other frequencies the ratio is "
+                     "inversely proportional to the frequency; 0: mass proportional damping "
+                     "applies",
+                     Range::between(0., 1.));
       declare_quantity(prm,
                        "damping frequency",
                        options.damping_frequency,
                        "Hz",
-                       "Frequency at which the damping ratio holds",
+                       "Frequency at which the damping ratio applies",
                        Range::not_negative());
-      declare_quantity(
-        prm,
-        "mesh damping",
-        options.mesh_damping,
-        "1/s",
-        "zeta_k of -zeta_k m (omega - omega_kinematic) x r on the driven member of a gear pair",
-        Range::not_negative());
+      declare_quantity(prm,
+                       "driven speed damping",
+                       options.mesh_damping,
+                       "1/s",
+                       "Damping of the driven member's rotation against its kinematic speed: force "
+                       "-zeta_k m (omega - omega_kinematic) x r on each node",
+                       Range::not_negative());
       declare_choice(prm,
-                     "damping rate",
+                     "damping reference",
                      options.damping_rate,
                      damping_rates,
-                     "Angular velocity omega of the body in the damping force");
+                     "Angular velocity omega in the damping force: momentum: from the angular "
+                     "momentum of the body; mean speed: mean of the nodes");
     }
   } // namespace
 
@@ -71,85 +73,105 @@ namespace vfife
     declare_number(prm,
                    "tolerance",
                    tolerance,
-                   "Norm of the unbalanced nodal forces over the norm of the applied ones at which "
-                   "the equilibrium is accepted",
+                   "Convergence limit: norm of the unbalanced nodal forces divided by the norm "
+                   "of the applied forces",
                    Range::between(1e-12, 1e-2));
     declare_integer(prm,
-                    "largest number of steps",
+                    "maximum number of steps",
                     largest_steps,
-                    "Relaxation steps after which the run is given up",
+                    "Maximum number of relaxation steps; the study stops with an error if it "
+                    "needs more",
                     1);
     declare_integer(prm,
                     "load steps",
                     load_steps,
-                    "Equal parts in which a static study applies loads and prescribed "
-                    "displacements one after the other",
+                    "Number of equal load steps in which a static study applies loads and "
+                    "prescribed displacements",
                     1,
                     100000);
     declare_quantity(prm,
                      "virtual damping",
                      virtual_damping,
                      "1/s",
-                     "zeta of the virtual damping -zeta m v with true masses and time step; 0: "
-                     "scaled masses and a damping that follows the motion",
+                     "zeta of a virtual damping force -zeta m v with true masses and true time "
+                     "step; 0: scaled masses with adaptive damping",
                      Range::not_negative());
   }
 
   void DynamicsOptions::declare(dealii::ParameterHandler &prm)
   {
     Subsection section(prm, "Dynamics");
-    declare_choice(
-      prm, "frame", frame, frame_choices(), "Rigid rotation that is removed from each element");
-    declare_choice(prm, "stiffness", stiffness, stiffness_choices(), "Stiffness of the hexahedron");
+    declare_choice(prm,
+                   "corotational frame",
+                   frame,
+                   frame_choices(),
+                   "How the rigid rotation of each element is found before it is removed: polar "
+                   "decomposition, or a frame through three nodes");
+    declare_choice(prm,
+                   "element type",
+                   stiffness,
+                   stiffness_choices(),
+                   "Element type: hexahedra with incompatible modes, with full integration (lock "
+                   "in bending), or with reduced integration and hourglass control");
     declare_choice(prm,
                    "stiffness data",
                    single_stiffness,
                    precisions,
                    "Precision in which the hourglass stiffness of elements without congruent "
-                   "copies is stored; everything else, and all arithmetic, is double");
-    declare_choice(
-      prm,
-      "step bound",
-      step_bound,
-      step_bounds,
-      "Largest frequency that bounds the step: of the worst free element, or of the whole model "
-      "without constraints (larger steps; a run that becomes unstable goes back and on with half "
-      "of it)");
-    declare_number(
-      prm, "safety", safety, "Time step over the largest stable one", Range::between(0.01, 1.));
-    declare_quantity(
-      prm,
-      "mass scaling step",
-      mass_scaling_step,
-      "s",
-      "Stable step, before the safety, that elements with a smaller one get by added "
-      "mass; 0: none",
-      Range::not_negative());
+                   "copies is stored; all other data and all arithmetic are double");
+    declare_choice(prm,
+                   "time step estimate",
+                   step_bound,
+                   step_bounds,
+                   "Largest frequency for the critical time step. element: of the stiffest "
+                   "single element; global: of the whole model without constraints, which gives "
+                   "larger steps. If a run becomes unstable, it restarts from the last "
+                   "checkpoint with half the step");
     declare_number(prm,
-                   "largest added mass",
+                   "time step factor",
+                   safety,
+                   "Time step divided by the critical time step",
+                   Range::between(0.01, 1.));
+    declare_quantity(prm,
+                     "mass scaling step",
+                     mass_scaling_step,
+                     "s",
+                     "Mass scaling: elements with a smaller critical time step (before the time "
+                     "step factor) get additional mass until they reach this one; 0: no mass "
+                     "scaling",
+                     Range::not_negative());
+    declare_number(prm,
+                   "maximum added mass",
                    largest_added_mass,
-                   "Share of a body's mass that mass scaling may add; more is refused",
+                   "Maximum additional mass by mass scaling, as a part of the body's mass; the "
+                   "program refuses more",
                    Range::between(0., 1.));
     default_damping_ = damping;
     declare_damping(prm, *this);
-    declare_choice(prm, "start", start, starts, "How a turning gear pair takes up its load");
+    declare_choice(prm,
+                   "start",
+                   start,
+                   starts,
+                   "How a rotating gear pair takes up its load. static equilibrium: starts "
+                   "loaded; steady swing: starts with the periodic vibration at the mesh "
+                   "frequency; ramp: torque grows linearly; undeformed: starts unloaded");
     declare_choice(prm,
                    "start solver",
                    start_solver,
                    start_solvers,
-                   "What finds the equilibrium of a gear pair before the start; a factorization is "
-                   "fast and takes up to 45 kB of memory a node");
+                   "Solver for the static equilibrium at the start: factorization (fast, up to "
+                   "45 kB of memory per node), or relaxation");
     declare_number(prm,
                    "energy limit",
                    energy_limit,
-                   "Energy error (residual of the ledger over its scale) beyond which the run "
-                   "stops as failed when it goes on growing; "
-                   "from two fifths of it there is a warning",
+                   "The run stops with an error when the energy error (residual of the energy "
+                   "balance divided by its scale) exceeds this limit and grows; the program "
+                   "warns at two fifths of the limit",
                    Range::positive());
     declare_integer(prm,
-                    "largest number of steps",
+                    "maximum number of steps",
                     largest_steps,
-                    "Steps after which a run ends in good order, to try a part of it; 0: no limit");
+                    "The run ends after this number of steps, for trials; 0: no limit");
     relaxation.declare(prm);
   }
 

@@ -11,10 +11,10 @@ namespace vfife
 {
   const Choices<StiffnessKind> &stiffness_choices()
   {
-    static const Choices<StiffnessKind> choices = {{"incompatible modes",
-                                                    StiffnessKind::incompatible_modes},
-                                                   {"full", StiffnessKind::full},
-                                                   {"one point", StiffnessKind::one_point}};
+    static const Choices<StiffnessKind> choices = {
+      {"incompatible modes", StiffnessKind::incompatible_modes},
+      {"full integration", StiffnessKind::full},
+      {"reduced integration", StiffnessKind::one_point}};
     return choices;
   }
 

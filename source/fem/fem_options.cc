@@ -21,33 +21,37 @@ namespace vfife
 
     void declare_elements(FemOptions &options, dealii::ParameterHandler &prm)
     {
-      declare_choice(
-        prm,
-        "element",
-        options.element,
-        fem_element_choices(),
-        "Eight nodes with incompatible modes or plain (locks in bending), or degree 2 (27 points) "
-        "or 3 (64 points)");
+      declare_choice(prm,
+                     "element type",
+                     options.element,
+                     fem_element_choices(),
+                     "Element type: 8 nodes with incompatible modes; 8 nodes with full integration "
+                     "(locks in bending); quadratic (27 nodes); cubic (64 nodes)");
       declare_choice(prm,
                      "geometry",
                      options.geometry,
                      fem_geometry_choices(),
-                     "Of quadratic and cubic elements: straight edges between nodes, or edges and "
-                     "faces on the true surfaces");
-      declare_names(prm,
-                    "local refinement",
-                    options.local_refinement,
-                    "Surfaces or node sets and how often elements that touch them are divided "
-                    "into eight (fillets 2, NAME 1); fillets, flanks and all are names too");
-      declare_choice(
-        prm, "mass", options.mass, mass_choices(), "Mass matrix of vibrations and of spin");
-      declare_choice(
+                     "Geometry of quadratic and cubic elements: straight edges, or edges and faces "
+                     "on the exact surfaces");
+      declare_names(
         prm,
-        "strain measure",
-        options.strain,
-        strain_measure_choices(),
-        "Of bodies in spin: the linear strain in turned axes, as in explicit dynamics, "
-        "or Green's, as other programs take");
+        "local refinement",
+        options.local_refinement,
+        "Local refinement: surfaces or node sets, each with the number of times that "
+        "elements touching it are divided into eight, as \"fillets 2\"; fillets, flanks "
+        "and all are predefined names");
+      declare_choice(prm,
+                     "mass",
+                     options.mass,
+                     mass_choices(),
+                     "Mass matrix of modal analyses and of rotating bodies");
+      declare_choice(prm,
+                     "strain measure",
+                     options.strain,
+                     strain_measure_choices(),
+                     "Strain measure of rotating bodies. biot: linear strain in corotational axes, "
+                     "as in explicit dynamics; green: Green-Lagrange strain, as in most other "
+                     "programs");
     }
   } // namespace
 
@@ -58,61 +62,59 @@ namespace vfife
                    "linear solver",
                    linear_solver,
                    linear_solvers,
-                   "Conjugate gradients with algebraic multigrid, or factorization");
+                   "Linear solver: conjugate gradients with algebraic multigrid, or direct "
+                   "factorization");
     declare_number(prm,
                    "linear tolerance",
                    linear_tolerance,
-                   "Residual over load at which conjugate gradients stop",
+                   "Relative residual at which conjugate gradients stop",
                    Range::between(1e-14, 1e-2));
-    declare_choice(
-      prm,
-      "eigenvalue solver",
-      eigen_solver,
-      eigen_solvers,
-      "Krylov-Schur with shift and factorization, or LOBPCG with multigrid (less memory)");
+    declare_choice(prm,
+                   "eigenvalue solver",
+                   eigen_solver,
+                   eigen_solvers,
+                   "Eigenvalue solver: Krylov-Schur with shift and factorization, or LOBPCG with "
+                   "multigrid (less memory)");
     declare_number(prm,
                    "eigenvalue tolerance",
                    eigen_tolerance,
-                   "Residual at which a mode is taken",
+                   "Relative residual at which an eigenpair is accepted",
                    Range::between(1e-13, 1e-3));
-    declare_integer(prm, "modes", n_modes, "Number of modes of each body", 1, 10000);
+    declare_integer(prm, "modes", n_modes, "Number of modes per body", 1, 10000);
     declare_switch(prm,
                    "hold hubs",
                    hold_hubs,
-                   "Whether hubs that turn freely are held about the axis, as by a stiff shaft");
+                   "Suppresses the free rotation of hubs about the axis, as a stiff shaft does");
     declare_switch(prm,
                    "count modes",
                    count_modes,
-                   "Whether a second factorization counts the modes below the highest one found "
-                   "(shift-invert only)");
-    declare_names(prm, "bodies", bodies, "Bodies whose modes are wanted; none: all");
-    declare_number_list(
-      prm,
-      "speeds",
-      speeds,
-      "Speeds of the bodies about their own axes at which modes are wanted [rpm]");
-    declare_switch(
-      prm,
-      "coriolis",
-      coriolis,
-      "Whether Coriolis forces split modes into waves that travel with and against the "
-      "speed");
+                   "Counts the modes below the highest computed one by a second factorization, "
+                   "to detect missing modes (shift-invert only)");
+    declare_names(prm, "bodies", bodies, "Bodies of the modal analysis; empty: all bodies");
+    declare_number_list(prm,
+                        "speeds",
+                        speeds,
+                        "Speeds of the bodies about their own axes, for modes at speed [rpm]");
+    declare_switch(prm,
+                   "coriolis",
+                   coriolis,
+                   "Includes Coriolis forces, which split the modes of a rotating body into "
+                   "forward and backward waves");
     declare_switch(prm,
                    "cyclic symmetry",
                    cyclic_symmetry,
-                   "One sector of each body (tooth by tooth) instead of the whole: modes by nodal "
-                   "diameter");
+                   "Models one sector (tooth) per body and computes the modes by nodal diameter");
     declare_integer(prm,
-                    "largest nodal diameter",
+                    "maximum nodal diameter",
                     largest_diameter,
-                    "Up to which diameter, with cyclic symmetry; Fem/modes is then their number "
-                    "for each diameter",
+                    "Maximum nodal diameter, with cyclic symmetry; Fem/modes is then the number "
+                    "of modes per nodal diameter",
                     0,
                     10000);
     declare_integer(prm,
-                    "mesh orders",
+                    "mesh harmonics",
                     mesh_orders,
-                    "Multiples of the mesh frequency whose resonances are looked for",
+                    "Number of mesh harmonics for which resonances are listed",
                     0,
                     1000);
   }

@@ -16,12 +16,12 @@ namespace vfife
                        DrivingMember            &driving,
                        TurningDirection         &direction)
   {
-    declare_choice(prm, "driving member", driving, driving_members, "Which member drives");
+    declare_choice(prm, "driving member", driving, driving_members, "Member that drives");
     declare_choice(prm,
                    "direction of rotation",
                    direction,
                    directions,
-                   "Forward: the pinion turns counter-clockwise seen from its back");
+                   "forward: the pinion turns counter-clockwise seen from its back");
   }
 
   MeshSide working_side(const DrivingMember driving, const TurningDirection direction)

@@ -54,25 +54,44 @@ namespace vfife
 
   void SupportOptions::declare(dealii::ParameterHandler &prm)
   {
-    declare_choice(prm, "member", member, members, "Which member moves");
-    declare_choice(prm, "motion", tilts, motions, "A displacement, or a small rotation");
+    declare_choice(prm, "member", member, members, "Member that this support carries");
+    declare_choice(prm,
+                   "motion",
+                   tilts,
+                   motions,
+                   "Motion of the support: a displacement, or a tilt (small rotation)");
     declare_vector(prm,
                    "direction",
                    direction,
                    "-",
-                   "Of the displacement, or axis of the rotation, fixed frame; any length");
-    declare_vector(prm, "centre", centre, "mm", "A point on the axis of the tilt, fixed frame");
-    declare_quantity(prm, "mass", mass, "kg", "That is displaced", Range::not_negative());
+                   "Direction of the displacement, or axis of the tilt, in the fixed frame; any "
+                   "length");
+    declare_vector(
+      prm, "centre", centre, "mm", "Point on the axis of the tilt, in the fixed frame");
     declare_quantity(
-      prm, "inertia", inertia, "kg mm^2", "About the axis of the tilt", Range::not_negative());
-    declare_quantity(
-      prm, "stiffness", stiffness, "N/mm", "Against the displacement", Range::not_negative());
-    declare_quantity(
-      prm, "tilt stiffness", tilt_stiffness, "N m/rad", "Against the tilt", Range::not_negative());
+      prm, "mass", mass, "kg", "Mass that moves with the displacement", Range::not_negative());
+    declare_quantity(prm,
+                     "inertia",
+                     inertia,
+                     "kg mm^2",
+                     "Moment of inertia about the axis of the tilt",
+                     Range::not_negative());
+    declare_quantity(prm,
+                     "stiffness",
+                     stiffness,
+                     "N/mm",
+                     "Stiffness against the displacement",
+                     Range::not_negative());
+    declare_quantity(prm,
+                     "tilt stiffness",
+                     tilt_stiffness,
+                     "N m/rad",
+                     "Stiffness against the tilt",
+                     Range::not_negative());
     declare_number(prm,
                    "damping ratio",
                    damping_ratio,
-                   "Of the mass on this spring alone",
+                   "Damping ratio of this support's mass on its own spring",
                    Range::not_negative());
   }
 
@@ -94,50 +113,60 @@ namespace vfife
   void LumpedOptions::declare_mesh(dealii::ParameterHandler &prm)
   {
     declare_choice(prm,
-                   "mesh",
+                   "mesh stiffness source",
                    source,
                    sources,
-                   "Stiffness and transmission error without load over a tooth mesh: of the series "
-                   "below, or of a loaded tooth contact analysis");
-    declare_file_name(prm, "table", table, "loaded_contact.csv of that analysis");
+                   "Source of mesh stiffness and unloaded transmission error over a mesh cycle: "
+                   "the Fourier series below, or a loaded tooth contact analysis");
+    declare_file_name(prm, "table", table, "File loaded_contact.csv of that analysis");
     declare_choice(prm,
                    "load law",
                    load_law,
                    laws,
-                   "From the table: torque over compression as a power that meets the secant and "
-                   "the tangent stiffness, or as one of both lines");
+                   "Torque as a function of compression from the table: a power law that meets "
+                   "secant and tangent stiffness, or two straight lines");
     declare_quantity(
       prm, "stiffness", stiffness, "N m/rad", "Mean mesh stiffness", Range::not_negative());
+    declare_number_list(
+      prm,
+      "stiffness cosines",
+      stiffness_cosines,
+      "Cosine coefficients of the mesh stiffness, mesh orders 1, 2, ..., divided by "
+      "the mean stiffness [-]");
     declare_number_list(prm,
-                        "stiffness cosines",
-                        stiffness_cosines,
-                        "Of mesh orders 1, 2..., over the mean stiffness [-]");
-    declare_number_list(prm, "stiffness sines", stiffness_sines, "The same with sines [-]");
+                        "stiffness sines",
+                        stiffness_sines,
+                        "Sine coefficients of the mesh stiffness, likewise [-]");
     declare_number_list(prm,
                         "error cosines",
                         error_cosines,
-                        "Transmission error without load, mesh orders 1, 2... [arcsec]");
-    declare_number_list(prm, "error sines", error_sines, "The same with sines [arcsec]");
+                        "Cosine coefficients of the unloaded transmission error, mesh orders 1, 2, "
+                        "... [arcsec]");
+    declare_number_list(prm,
+                        "error sines",
+                        error_sines,
+                        "Sine coefficients of the unloaded transmission error [arcsec]");
     declare_quantity(prm,
                      "backlash",
                      backlash,
                      "mm",
-                     "Normal to the flanks at the mean point; negative: that of the gear pair");
+                     "Normal backlash at the mean point; negative: that of the gear pair");
     declare_number(prm,
                    "damping ratio",
                    damping_ratio,
-                   "Damper of the mesh over the critical one of both members' swing",
+                   "Damping ratio of the mesh: damper divided by the critical damping of the "
+                   "torsional vibration of both members",
                    Range::not_negative());
     declare_switch(prm,
                    "damping without contact",
                    damping_without_contact,
-                   "Whether that damper acts where flanks are apart");
+                   "Whether the damper also acts while the flanks are apart");
     declare_quantity(prm,
-                     "speed damping",
+                     "driven speed damping",
                      speed_damping,
                      "1/s",
-                     "Torque on the gear per inertia and per difference from its kinematic speed, "
-                     "as Dynamics/mesh damping",
+                     "Torque on the gear per moment of inertia and per deviation from its "
+                     "kinematic speed, as Dynamics/driven speed damping",
                      Range::not_negative());
   }
 
@@ -148,36 +177,48 @@ namespace vfife
                    "pinion",
                    driver_is_free,
                    drives,
-                   "Turns at constant speed, or freely under its share of the torque");
+                   "Motion of the pinion: constant speed, or free under its part of the torque");
     declare_integer(prm, "pinion teeth", driver_teeth, "Number" + from);
     declare_integer(prm, "gear teeth", driven_teeth, "Number" + from);
     declare_quantity(prm,
                      "pinion inertia",
                      driver_inertia,
                      "kg mm^2",
-                     "About its axis" + from,
+                     "Moment of inertia about the own axis" + from,
                      Range::not_negative());
     declare_quantity(prm,
                      "gear inertia",
                      driven_inertia,
                      "kg mm^2",
-                     "About its axis" + from,
+                     "Moment of inertia about the own axis" + from,
                      Range::not_negative());
-    declare_quantity(
-      prm, "arm", arm, "mm", "Of the normal about the gear's axis" + from, Range::not_negative());
+    declare_quantity(prm,
+                     "arm",
+                     arm,
+                     "mm",
+                     "Lever arm of the contact normal about the gear's axis" + from,
+                     Range::not_negative());
     declare_vector(prm,
                    "contact normal",
                    contact_normal,
                    "-",
-                   "Out of the gear into the pinion, fixed frame; for supports" + from);
-    declare_vector(prm, "contact point", contact_point, "mm", "Fixed frame; with a contact normal");
-    declare_names(prm, "supports", support_names, "A subsection \"Support NAME\" for each");
-    declare_switch(
-      prm,
-      "bearings",
-      in_bearings,
-      "Whether members on shafts move rigidly in their bearings: where the stiffness of "
-      "the mesh is that of ideal bores");
+                   "Contact normal out of the gear into the pinion, in the fixed frame; needed "
+                   "with supports" +
+                     from);
+    declare_vector(prm,
+                   "contact point",
+                   contact_point,
+                   "mm",
+                   "Contact point in the fixed frame; needed with a contact normal");
+    declare_names(prm,
+                  "supports",
+                  support_names,
+                  "Names of supports; each has a subsection \"Support NAME\"");
+    declare_switch(prm,
+                   "bearings",
+                   in_bearings,
+                   "Members move as rigid bodies in their shafts' bearings; for a mesh stiffness "
+                   "that was computed with ideal bores");
   }
 
   void LumpedOptions::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
@@ -202,12 +243,14 @@ namespace vfife
   void LumpedOptions::check() const
   {
     if (source == MeshSource::loaded_contact && table.empty())
-      throw InputError("Lumped/table",
-                       "mesh = loaded contact needs the loaded_contact.csv of a loaded tooth "
-                       "contact analysis");
+      throw InputError(
+        "Lumped/table",
+        "mesh stiffness source = loaded contact needs the loaded_contact.csv of a loaded tooth "
+        "contact analysis");
     if (source == MeshSource::series && !(stiffness > 0))
       throw InputError("Lumped/stiffness",
-                       "Lumped/mesh = series needs the mean mesh stiffness; a loaded tooth contact "
+                       "Lumped/mesh stiffness source = series needs the mean mesh stiffness; a "
+                       "loaded tooth contact "
                        "analysis finds it");
     for (const SupportOptions &support : supports)
       support.check("Lumped/Support " + support.name);

@@ -176,18 +176,22 @@ namespace vfife
   {
     // The product of the largest ones can still be counted.
     declare_integer(prm,
-                    "settling meshes",
+                    "settling mesh cycles",
                     settling_meshes,
-                    "Tooth meshes at each speed before anything is measured",
+                    "Mesh cycles at each speed before recording starts",
                     0,
                     100000);
-    declare_integer(
-      prm, "measured meshes", measured_meshes, "Tooth meshes that are measured", 1, 100000);
-    declare_integer(prm, "samples", samples, "Samples a tooth mesh", 4, 10000);
+    declare_integer(prm,
+                    "recorded mesh cycles",
+                    measured_meshes,
+                    "Recorded mesh cycles at each speed",
+                    1,
+                    100000);
+    declare_integer(prm, "samples per mesh cycle", samples, "Samples per mesh cycle", 4, 10000);
     declare_number(prm,
                    "tolerance",
                    tolerance,
-                   "Error of a step, relative to the static deflection",
+                   "Error limit of one time step, relative to the static deflection",
                    Range::positive());
   }
 
@@ -266,7 +270,7 @@ namespace vfife
   {
     Table table;
     table.add_column(column::time, "s");
-    table.add_column(column::position, "tooth meshes");
+    table.add_column(column::position, "mesh cycles");
     table.add_column(column::dte, "arcsec");
     table.add_column("mesh force", "N");
     table.add_column(column::contact_torque_on("gear"), "N m");

@@ -25,13 +25,13 @@ namespace vfife
       for (std::size_t i = 0; i < positions.size(); ++i)
         if (std::abs(positions[i] - static_cast<double>(i) / positions.size()) > 1e-9)
           throw InputError("positions in the table \"" + path +
-                           "\" must begin at 0 and divide one tooth mesh equally");
+                           "\" must begin at 0 and divide one mesh cycle equally");
     }
   } // namespace
 
   MeshLaw MeshLaw::from_table(const Table &table, const std::string &path, const LoadLaw law)
   {
-    check_positions(find_column(table, path, column::position, "tooth meshes"), path);
+    check_positions(find_column(table, path, column::position, "mesh cycles"), path);
     const auto find = [&](const std::string_view name, const std::string &unit) {
       return find_column(table, path, name, unit);
     };

@@ -19,21 +19,21 @@ namespace vfife
                    "sweep",
                    kind,
                    sweep_kinds,
-                   "Whether and in which order the response over speed is computed");
+                   "Speed sweep: none, rising speeds, or rising and then falling speeds");
     declare_quantity(prm,
                      "lowest speed",
                      lowest_speed,
                      "rpm",
-                     "Of the pinion in the sweep",
+                     "Lowest or highest pinion speed of the sweep",
                      Range::not_negative());
     declare_quantity(prm,
                      "highest speed",
                      highest_speed,
                      "rpm",
-                     "Of the pinion in the sweep",
+                     "Lowest or highest pinion speed of the sweep",
                      Range::not_negative());
     declare_integer(
-      prm, "speeds", n_speeds, "Number of speeds of the sweep, equally spaced", 2, 100000);
+      prm, "speeds", n_speeds, "Number of equally spaced speeds in the sweep", 2, 100000);
   }
 
   void SpeedSweepOptions::check(const std::string &section) const

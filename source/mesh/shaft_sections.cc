@@ -71,16 +71,16 @@ namespace vfife
                           const std::string        &where)
   {
     declare_quantity(prm,
-                     "axial cell size",
+                     "axial element size",
                      axial,
                      "mm",
-                     "Largest length of a cell along the axis" + where,
+                     "Maximum length of an element along the axis" + where,
                      Range::positive());
     declare_quantity(prm,
-                     "radial cell size",
+                     "radial element size",
                      radial,
                      "mm",
-                     "Largest length of a cell across the axis",
+                     "Maximum length of an element across the axis",
                      Range::positive());
   }
 

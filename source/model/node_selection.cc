@@ -15,12 +15,12 @@ namespace vfife
   void NodeSelection::declare(dealii::ParameterHandler &prm)
   {
     declare_text(prm, "body", body, "Name of a body");
-    declare_names(prm, "nodes", sets, "Node sets of the body, taken together; all: every node");
+    declare_names(prm, "nodes", sets, "Node sets of the body, combined; all: every node");
     declare_text(prm,
                  "where",
                  where,
-                 "Condition on x, y, z [mm] in the undeformed body frame that the nodes must meet, "
-                 "such as \"abs(y) < 0.1 && x > 5\"; empty: none");
+                 "Condition on x, y, z [mm] in the undeformed body frame that selected nodes "
+                 "must meet, such as \"abs(y) < 0.1 && x > 5\"; empty: no condition");
   }
 
   unsigned int NodeSelection::find_body(const std::vector<Body> &bodies,

@@ -21,7 +21,7 @@ namespace vfife
       return choices;
     }
 
-    /** Steps of @p dt in one tooth mesh, at the largest speed of a run, not rounded. */
+    /** Steps of @p dt in one mesh cycle, at the largest speed of a run, not rounded. */
     double steps_per_mesh(const Transmission &transmission, const double dt)
     {
       return 1. / (transmission.largest_mesh_frequency() * dt);
@@ -48,83 +48,86 @@ namespace vfife
   {
     Subsection section(prm, "Output");
     declare_integer(prm,
-                    "history every",
+                    history_entry(),
                     history_every,
-                    "Samples of the histories in a tooth mesh; for models without a gear pair: "
-                    "steps from sample to sample",
+                    of_model ? "Time steps per sample of the histories"
+                             : "Samples of the histories per mesh cycle",
                     1);
-    declare_number(
-      prm,
-      "fields every",
-      fields_every,
-      "Tooth meshes, also parts of one (for models without a gear pair: samples of the "
-      "histories), from field file to field file, 0 for none",
-      Range::not_negative());
-    declare_integer(
-      prm,
-      "tracked orders",
-      mesh_orders,
-      "Of a gear pair whose speed changes: orders of the tooth mesh whose amplitudes "
-      "are tracked over the speed (orders.csv), at most a quarter of history every; 0 for "
-      "none");
+    declare_number(prm,
+                   "field output interval",
+                   fields_every,
+                   std::string("Interval between field files, in ") +
+                     (of_model ? "samples of the histories" : "mesh cycles, such as 0.25") +
+                     "; 0: no field files",
+                   Range::not_negative());
+    declare_integer(prm,
+                    "tracked mesh harmonics",
+                    mesh_orders,
+                    "Number of mesh harmonics whose amplitudes are tracked over speed in a run "
+                    "with changing speed (orders.csv); at most a quarter of the samples per mesh "
+                    "cycle; 0: none");
     declare_integer(prm,
                     "order window",
                     order_window,
-                    "Tooth meshes of which these amplitudes are taken, in windows half of which "
-                    "overlap",
+                    "Length of the window for tracked mesh harmonics, in mesh cycles; windows "
+                    "overlap by half",
                     2);
     declare_number_list(
       prm,
-      "stress waves",
+      "stress wave diameters",
       stress_waves,
-      "Of a gear pair: numbers of nodal diameters of waves of stress over the sectors of "
-      "the driven member, at its probes (probe_waves.csv) and in its fillets "
-      "(fillet_waves.csv, with Fillets/teeth), at the start and over the last tooth "
-      "mesh",
+      "Nodal diameters of stress waves around the driven member that are extracted "
+      "at its probes (probe_waves.csv) and fillets (fillet_waves.csv, with "
+      "Fillets/teeth), at the start and over the last mesh cycle; for gear pairs",
       ListNumbers::whole);
-    declare_quantity(
-      prm,
-      "checkpoint every",
-      checkpoint_every,
-      "s",
-      "Wall time from checkpoint to checkpoint, the first after the equilibrium before the "
-      "start and one at the end, 0 for none",
-      Range::not_negative());
-    declare_switch(
-      prm,
-      "pictures",
-      pictures,
-      "Report, plots and pictures of the results at the end of the run, in its folder");
+    declare_quantity(prm,
+                     "checkpoint interval",
+                     checkpoint_every,
+                     "s",
+                     "Wall time between checkpoints; one follows the static equilibrium at the "
+                     "start and one ends the run; 0: no checkpoints",
+                     Range::not_negative());
+    declare_switch(prm,
+                   "report",
+                   pictures,
+                   "Writes the report with plots and pictures into the folder of the results");
     declare_choice(prm,
                    "verbosity",
                    verbosity,
                    verbosities(),
-                   "What the screen shows: warnings only, the course of the run, details");
+                   "Messages on the screen: quiet: warnings only; normal: progress; detailed: "
+                   "everything");
+  }
+
+  std::string OutputOptions::history_entry() const
+  {
+    return of_model ? "steps per sample" : "samples per mesh cycle";
   }
 
   void OutputOptions::check(const std::string &section) const
   {
     if (history_every == 0)
-      throw InputError(section + "/history every", "must be at least 1");
+      throw InputError(section + "/" + history_entry(), "must be at least 1");
     if (!(fields_every >= 0) || !std::isfinite(fields_every))
-      throw InputError(section + "/fields every",
-                       "must be a number of tooth meshes or samples, 0 for none");
+      throw InputError(section + "/field output interval",
+                       "must be a number of mesh cycles or samples, 0 for none");
     if (!(checkpoint_every >= 0) || !std::isfinite(checkpoint_every))
-      throw InputError(section + "/checkpoint every", "must be a wall time in seconds, 0 for none");
+      throw InputError(section + "/checkpoint interval",
+                       "must be a wall time in seconds, 0 for none");
     try
       {
         parse_diameters(stress_waves);
       }
     catch (const InputError &error)
       {
-        throw InputError(section + "/stress waves", error.what());
+        throw InputError(section + "/stress wave diameters", error.what());
       }
   }
 
   void OutputOptions::refuse_stress_waves(const std::string &section) const
   {
     if (!stress_waves.empty())
-      throw InputError(section + "/stress waves", "requires a gear pair with sectors");
+      throw InputError(section + "/stress wave diameters", "requires a gear pair with sectors");
   }
 
   unsigned int OutputOptions::count_tracked_orders() const
@@ -138,8 +141,8 @@ namespace vfife
     if (transmission == nullptr)
       return history_every;
     if (!(dt > 0) || !(transmission->mesh_frequency() > 0))
-      throw InputError("Output/history every",
-                       "samples per tooth mesh require a rotating gear pair and a time step");
+      throw InputError("Output/samples per mesh cycle",
+                       "samples per mesh cycle require a rotating gear pair and a time step");
     // The small addition keeps 49.999999 steps, which are 50 but for round-off, from becoming 49.
     const double steps = std::floor(steps_per_mesh(*transmission, dt) / history_every + 1e-6);
     return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(steps));
@@ -150,12 +153,12 @@ namespace vfife
   {
     if (fields_every == 0)
       return 0;
-    // Fields at samples: their multiples in steps nearest to the tooth meshes asked for.
+    // Fields at samples: their multiples in steps nearest to the mesh cycles asked for.
     const std::uint64_t sample = compute_history_steps(transmission, dt);
     if (transmission == nullptr)
       {
         if (fields_every != std::floor(fields_every))
-          throw InputError("Output/fields every",
+          throw InputError("Output/field output interval",
                            "expected a whole number of samples for a model without a gear pair");
         return static_cast<std::uint64_t>(fields_every) * sample;
       }

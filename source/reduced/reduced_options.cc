@@ -19,44 +19,52 @@ namespace vfife
                      "cutoff frequency",
                      cutoff,
                      "Hz",
-                     "Modes of the bodies below it are kept; what lies above gives way at once. 0: "
-                     "six times the mesh frequency, at least seven times (kind waves: three "
-                     "times) that at which a free ring at the gear's pitch circle breathes",
+                     "Modes of the bodies up to this frequency are kept; higher ones respond "
+                     "statically. 0: six times the mesh frequency, and at least seven times (kind "
+                     "waves: three times) the breathing frequency of a free ring at the gear's "
+                     "pitch circle",
                      Range::not_negative());
-    declare_integer(
-      prm, "steps per mesh", steps_per_mesh, "Steps in a tooth mesh, at least", 4, 100000);
+    declare_integer(prm,
+                    "steps per mesh cycle",
+                    steps_per_mesh,
+                    "Minimum number of steps per mesh cycle",
+                    4,
+                    100000);
     declare_integer(prm,
                     "steps per mode",
                     steps_per_mode,
-                    "Steps in the shortest period of a mode that is kept, at least",
+                    "Minimum number of steps per period of the highest kept mode",
                     2,
                     1000);
     declare_integer(prm,
-                    "reach",
+                    "residual flexibility reach",
                     reach,
-                    "Teeth on each side of a loaded one whose residual flexibility is kept",
+                    "Number of teeth on each side of a loaded tooth whose residual flexibility is "
+                    "kept",
                     1,
                     1000);
     declare_text(prm,
                  "store",
                  store,
-                 "Folder in which the reduced bodies are kept, so that other speeds and torques do "
-                 "not pay for them again. Those of other bodies there are refused. Without a name "
-                 "nothing is kept");
-    declare_switch(
-      prm,
-      "export",
-      exports,
-      "Whether mass, stiffness, Coriolis matrix and modes of each body at hub, rim and "
-      "probes are written for other programs, in the format Matrix Market");
+                 "Folder that keeps the reduced bodies for later studies at other speeds and "
+                 "torques; reduced bodies of another model are refused; empty: not kept");
+    declare_switch(prm,
+                   "export",
+                   exports,
+                   "Writes mass, stiffness and Coriolis matrices and modes of each body at hub, "
+                   "rim and probes for other programs (Matrix Market)");
     declare_integer(prm,
-                    "settling meshes",
+                    "settling mesh cycles",
                     settling_meshes,
-                    "Tooth meshes at each speed of a sweep before those that are counted",
+                    "Mesh cycles at each speed of a sweep before recording starts",
                     0,
                     1000000);
-    declare_integer(
-      prm, "counted meshes", counted_meshes, "Tooth meshes at each speed of a sweep", 1, 1000000);
+    declare_integer(prm,
+                    "recorded mesh cycles",
+                    counted_meshes,
+                    "Recorded mesh cycles at each speed of a sweep",
+                    1,
+                    1000000);
   }
 
   double ReducedOptions::find_cutoff(const double mesh_frequency, const double least) const

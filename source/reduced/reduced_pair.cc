@@ -214,7 +214,7 @@ namespace vfife
     text << "at step " << step_ << " (" << 1e3 * time_ << " ms) the driven body turned by "
          << turned * 180. / pi << " degrees beyond the driver in one step of "
          << 1e6 * options_.step
-         << " us, so that flanks pass through each other. Increase Reduced/steps per mesh";
+         << " us, so that flanks pass through each other. Increase Reduced/steps per mesh cycle";
     throw NumericalError(text.str());
   }
 

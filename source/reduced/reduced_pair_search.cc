@@ -14,7 +14,7 @@ namespace vfife
 
   namespace
   {
-    /** Part of a tooth mesh between searches for what may touch. */
+    /** Part of a mesh cycle between searches for what may touch. */
     constexpr double search_part = .1;
     /** Least distance within which flanks may touch until the next search [mm]. */
     constexpr double least_reach = 2e-3;

@@ -15,7 +15,10 @@ namespace vfife
   void FilletOptions::declare_names_of_gauges(dealii::ParameterHandler &prm)
   {
     const Subsection subsection(prm, section);
-    declare_names(prm, "gauges", names_, "Strain gauges: a subsection \"Gauge NAME\" for each");
+    declare_names(prm,
+                  "gauges",
+                  names_,
+                  "Names of strain gauges; each has a subsection \"Gauge NAME\"");
   }
 
   void FilletOptions::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
@@ -35,12 +38,12 @@ namespace vfife
                    "teeth",
                    teeth,
                    words,
-                   "Of which teeth root stresses are recorded; in mesh: those in contact and one "
-                   "beside them on either side; named: those of named teeth");
+                   "Teeth whose root stresses are recorded. in mesh: teeth in contact and one "
+                   "more on each side; named: those of named teeth");
     declare_names(prm,
                   "named teeth",
                   named_teeth,
-                  "Teeth by member and number from 0, as \"pinion 0, gear 3\", for teeth = named");
+                  "Teeth for teeth = named: member and number from 0, as \"pinion 0, gear 3\"");
     for (auto &[name, gauge] : gauges)
       {
         const Subsection own(prm, "Gauge " + name);

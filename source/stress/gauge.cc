@@ -19,28 +19,29 @@ namespace vfife
     const Choices<std::string> bodies = {{"pinion", "pinion"}, {"gear", "gear"}},
                                sides  = {{surface_name::concave, surface_name::concave},
                                          {surface_name::convex, surface_name::convex}};
-    declare_choice(prm, "body", body, bodies, "Member that carries the gauge");
-    declare_choice(prm, "side", side, sides, "Side of the tooth in whose fillet it is glued");
-    declare_integer(prm, "tooth", tooth, "Tooth, counted from 0");
+    declare_choice(prm, "body", body, bodies, "Member with the gauge");
+    declare_choice(prm, "side", side, sides, "Side of the tooth whose fillet has the gauge");
+    declare_integer(prm, "tooth", tooth, "Number of the tooth, from 0");
     declare_number(prm,
                    "height",
                    height,
-                   "Height of its middle over the length of the fillet's profile: 0 at the root "
-                   "land, 1 where the flank starts",
+                   "Profile position of the gauge's centre along the fillet: 0 at the root land, "
+                   "1 at the start of the flank",
                    Range::between(0., 1.));
     declare_number(prm,
                    "place",
                    place,
-                   "Place of its middle over the face width: 0 at the toe, 1 at the heel",
+                   "Lengthwise position of the gauge's centre: 0 at the toe, 1 at the heel",
                    Range::between(0., 1.));
     declare_quantity(prm,
                      "direction",
                      direction,
                      "deg",
-                     "From up the profile, square to the tooth, towards the heel",
+                     "Measuring direction: angle from the profile direction (normal to the tooth "
+                     "trace) towards the heel",
                      Range::between(-180., 180.));
     declare_quantity(
-      prm, "length", length, "mm", "Length of its measuring grid", Range::positive());
+      prm, "length", length, "mm", "Length of the gauge's measuring grid", Range::positive());
   }
 
   Gauge::Gauge(const Body         &body,

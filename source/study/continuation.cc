@@ -125,16 +125,16 @@ namespace vfife
   {
     std::vector<std::string> entries = {"Study/output folder",
                                         "Dynamics/end time",
-                                        "Dynamics/largest number of steps",
+                                        "Dynamics/maximum number of steps",
                                         "Dynamics/energy limit",
-                                        "Output/fields every",
-                                        "Output/checkpoint every",
-                                        "Output/pictures",
+                                        "Output/field output interval",
+                                        "Output/checkpoint interval",
+                                        "Output/report",
                                         "Output/verbosity"};
     if (longer)
       entries.insert(entries.begin() + 1,
-                     {"Operation/tooth meshes",
-                      "Operation/most tooth meshes",
+                     {"Operation/mesh cycles",
+                      "Operation/maximum mesh cycles",
                       "Operation/end time"});
     return entries;
   }

@@ -102,8 +102,16 @@ namespace vfife
       return staying;
     }
 
-    void log_passed_over(const OtherSections &others, Log &log)
+    /** What was read otherwise than it is written, or not at all. */
+    void log_reading(const ParameterFile &file, const OtherSections &others, Log &log)
     {
+      if (!file.former_names().empty())
+        {
+          std::string text = "names of the previous version are read for the last time:";
+          for (const std::string &replaced : file.former_names())
+            text += "\n  " + replaced;
+          log.warning(text);
+        }
       if (!others.passed_over.empty())
         log.line("ignored by this kind of study: ", list_of(others.passed_over));
     }
@@ -133,7 +141,7 @@ namespace vfife
             bodies[b].declare(known);
           }
       });
-      const bool has_bodies = reads("Gear pair/Gear/Body/web");
+      const bool has_bodies = reads("Gear pair/Gear/Body/body type");
       return PairGeometry(options,
                           has_bodies ? std::optional<PairGeometry::Bodies>(bodies) : std::nullopt);
     }
@@ -159,7 +167,7 @@ namespace vfife
       const std::optional<PairGeometry> geometry = find_geometry(file, prm);
       if (command_line.check)
         {
-          log_passed_over(read.others, log);
+          log_reading(file, read.others, log);
           if (geometry)
             geometry->show(log);
           study->inspect(communicator, log);
@@ -192,7 +200,7 @@ namespace vfife
           log.line("vfife: ", file.path(), ", results in ", folder.path());
           if (has_earlier)
             log.line("results of an earlier study are moved to ", folder.file("previous"));
-          log_passed_over(read.others, log);
+          log_reading(file, read.others, log);
           if (geometry)
             {
               geometry->show(log);
@@ -269,7 +277,7 @@ namespace vfife
       ReadStudy         read(file, runner);
       read.check();
       OutputFolder folder(keeper, communicator);
-      log_passed_over(read.others, log);
+      log_reading(file, read.others, log);
       if (const auto geometry = find_geometry(file, read.prm))
         {
           geometry->show(log);

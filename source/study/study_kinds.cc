@@ -56,10 +56,10 @@ namespace vfife
   void StudyOptions::declare(dealii::ParameterHandler &prm)
   {
     Subsection section(prm, "Study");
-    declare_choice(prm, "kind", kind, study_kinds(), "What is done");
+    declare_choice(prm, "kind", kind, study_kinds(), "Kind of study");
     declare_text(prm,
                  "output folder",
                  output_folder,
-                 "Folder of the results, made where it is missing");
+                 "Folder of the results; the program creates it");
   }
 } // namespace vfife

@@ -80,7 +80,7 @@ int main()
                               "set points per facet = 4\n"
                               "set penalty = 4e6\n"
                               "set friction coefficient = 0.08\n"
-                              "set search skin = 50 um\n");
+                              "set search tolerance = 50 um\n");
   check("discretization", options.discretization == ContactDiscretization::two_pass);
   check("surface", options.surface == ContactSurfaceKind::flat_facets);
   check("points per facet", options.points_per_facet.number == 4);

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Speed and torque that change with time: a driver that runs up goes by the integral of its speed,
-// a hub under a torque over time by that of the torque, and mesh damping follows the present speed.
+// a hub under a torque over time by that of the torque, and driven speed damping follows the
+// present speed.
 #include "../history_of.h"
 #include "../parts.h"
 #include "../tests.h"
@@ -85,7 +86,7 @@ namespace
     check_below(name + ": angle of the bore's nodes [rad]", of_node, 1e-14);
     check_below(name + ": measured angle [rad]", of_angle, 1e-15);
     check_below(name + ": factor of the speed", of_factor, 1e-15);
-    check_close(name + ": tooth meshes",
+    check_close(name + ": mesh cycles",
                 model.transmission->meshes(end_time),
                 30 * turn(end_time) / (2 * pi),
                 1e-14);
@@ -105,8 +106,8 @@ namespace
 
   /**
    * The driven body, left alone by the driver's teeth, is drawn after the kinematic speed 200 + a t
-   * by the mesh damping alone: e = omega - omega_k has e' = -a - zeta e. With zeta^n the share of a
-   * step, e_n = -(a/zeta) (1 - (1 - zeta dt)^n) exactly.
+   * by the driven speed damping alone: e = omega - omega_k has e' = -a - zeta e. With zeta^n the
+   * share of a step, e_n = -(a/zeta) (1 - (1 - zeta dt)^n) exactly.
    */
   void mesh_damping()
   {
@@ -121,7 +122,7 @@ namespace
     const double dt = run.state.dt, n = static_cast<double>(run.state.step),
                  kinematic = first_rate + a * (run.state.time - .5 * dt),
                  found     = -run.state.measured.body_rates[1] - kinematic;
-    check_close("mesh damping: lag behind the present kinematic speed",
+    check_close("driven speed damping: lag behind the present kinematic speed",
                 found / (a / zeta * (std::pow(1 - zeta * dt, n) - 1)),
                 1.,
                 2e-3);

@@ -39,9 +39,9 @@ namespace
     set size x  = 10 mm
     set size y  = 10 mm
     set size z  = 4 mm
-    set cells x = 4
-    set cells y = 4
-    set cells z = 2
+    set elements x = 4
+    set elements y = 4
+    set elements z = 2
   end
 )";
     if (floor == Floor::body)
@@ -51,9 +51,9 @@ namespace
     set size x   = 24 mm
     set size y   = 20 mm
     set size z   = 4 mm
-    set cells x  = 12
-    set cells y  = 10
-    set cells z  = 2
+    set elements x = 12
+    set elements y = 10
+    set elements z = 2
     set position = -5, -5, -4 mm
   end
   subsection Constraint ground

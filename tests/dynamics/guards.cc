@@ -86,7 +86,7 @@ namespace
           contains(message, "penetration exceeds the limit at time 0.0011") &&
             contains(message, "faces side: \"falling\", tooth or group 0, facet ") &&
             contains(message, "deep in \"resting\", tooth or group 0, facet ") &&
-            contains(message, "(limit 100 um, Contact/penetration limit)"));
+            contains(message, "(limit 100 um, Contact/abort penetration ratio)"));
     // 0.11 mm at 1e5 mm/s are 1.1 us; the springs take 1e-7 of the energy on that way.
     check("stopped in the step that passes the limit", message.find(" is 10") != std::string::npos);
   }

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// A driver and a driven body that do not touch, over one tooth mesh: angles and transmission errors
+// A driver and a driven body that do not touch, over one mesh cycle: angles and transmission errors
 // against the places of the nodes and the turn that is prescribed, and a driven body that begins
-// too fast and is slowed down by the mesh damping alone.
+// too fast and is slowed down by the driven speed damping alone.
 #include "../parts.h"
 #include "../tests.h"
 #include "one_solver.h"
@@ -74,7 +74,7 @@ namespace
     return sum;
   }
 
-  /** Angles of one tooth mesh; @p excess is gone by the mesh damping with exp(-zeta t). */
+  /** Angles of one mesh cycle; @p excess is gone by the driven speed damping with exp(-zeta t). */
   void one_mesh(const double sense, const ConstraintKind hub)
   {
     const std::string name =
@@ -142,7 +142,7 @@ namespace
     // I int zeta (omega - omega_k) omega dt
     const double loss = driven.axial_inertia() * (t.driven_rate() * excess * (1 - left) +
                                                   excess * excess * (1 - left * left) / 2);
-    check_close(name + "taken by the mesh damping over what the spin gives",
+    check_close(name + "taken by the driven speed damping over what the spin gives",
                 run.state.measured.energy.mesh_damping_uptake / loss,
                 1.,
                 2 * zeta * dt);

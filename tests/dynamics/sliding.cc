@@ -62,8 +62,8 @@ namespace
         text << "  subsection Body " << name
              << "\n    set mesh = block\n    set size x = " << size[0]
              << " mm\n    set size y = " << size[1] << " mm\n    set size z = " << size[2]
-             << " mm\n    set cells x = " << n << "\n    set cells y = " << n / 2
-             << "\n    set cells z = " << n / 4
+             << " mm\n    set elements x = " << n << "\n    set elements y = " << n / 2
+             << "\n    set elements z = " << n / 4
              << "\n    set position = " << (axes() * corner).transpose().format(row)
              << " mm\n    set rotation axis = 0, 1, 0\n    set rotation angle = " << slope
              << " deg\n    set velocity = " << velocity << ", 0, 0 mm/s\n  end\n";

@@ -145,7 +145,7 @@ namespace
     check_close("ring: work of the drive [mJ]", now.drive_work, 30, 1e-12);
     check_close("ring: work of the torque [mJ]", now.torque_work, -10, 1e-12);
     check_close("ring: damping loss [mJ]", now.damping_loss, 4, 1e-12);
-    check_close("ring: taken by the mesh damping [mJ]", now.mesh_damping_uptake, 2, 1e-12);
+    check_close("ring: taken by the driven speed damping [mJ]", now.mesh_damping_uptake, 2, 1e-12);
     check_close("ring: of that from the swing [mJ]", now.swing_loss, 0.5, 1e-12);
     check_close("ring: contact loss, that of friction with it [mJ]", now.contact_loss, 1.5, 1e-12);
     check_close("ring: friction loss [mJ]", now.friction_loss, 0.5, 1e-12);

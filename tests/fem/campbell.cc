@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Campbell diagrams of made-up vibrations: what is a branch, where straight branches cross the
-// orders of the tooth mesh (closed form), the units of the tables.
+// orders of the gear mesh (closed form), the units of the tables.
 #include "../tests.h"
 
 #include <vfife/fem/modes/campbell.h>

@@ -25,9 +25,9 @@ inline vfife::Model make_held_pair(const vfife::Communicator &world,
                                    const std::string         &more = stiff_contact)
 {
   return make_gear_model("in_bearings.prm",
-                         few_teeth("set web = none", "set rim rows = 2") +
+                         few_teeth("set body type = rim only", "set elements through rim = 2") +
                            "subsection Operation\nset speed = 20000 rpm\nset torque = 800 N m\n"
-                           "set tooth meshes = 1\nset hub = rigid hub\nend\n" +
+                           "set mesh cycles = 1\nset bore rotation = rigid\nend\n" +
                            more,
                          world);
 }

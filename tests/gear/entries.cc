@@ -177,9 +177,9 @@ end
   {
     const GearPair        pair(propose(R"(
 subsection Proposal
-  set lag at half a pitch = 6 arcsec
-  set path angle = 30 deg
-  set ellipse length = 0.3
+  set transmission error at half pitch = 6 arcsec
+  set path direction = 30 deg
+  set contact ellipse ratio = 0.3
 end
 )"));
     const ContactAnalysis a = analyse_contact(pair, MeshSide::drive, ContactAnalysisOptions());

@@ -13,7 +13,7 @@ using namespace vfife;
 namespace
 {
   constexpr double       um    = 1e-3;
-  constexpr unsigned int teeth = 79, samples = 32; // a tooth mesh
+  constexpr unsigned int teeth = 79, samples = 32; // a mesh cycle
 
   /** Amplitudes of the lag over the order, per turn of the gear [rad]. */
   std::vector<double> find_lines(const GearPair &pair, const std::vector<unsigned int> &orders)

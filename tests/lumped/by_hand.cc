@@ -149,7 +149,7 @@ namespace
       check(std::string("motion: unit of ") + name, table.column(name).unit == unit);
     };
     close("time", "s", .01);
-    close("position", "tooth meshes", 3.25);
+    close("position", "mesh cycles", 3.25);
     close("dte", "arcsec", 4 - ratio * 7);
     close("mesh force", "N", 9e5 / 90);
     close("contact torque on the gear", "N m", 900);

@@ -64,7 +64,7 @@ namespace
     for (const double x : {0., .1, .37})
       {
         const double a = 2 * pi * x;
-        check_close("stiffness over the tooth mesh [N mm/rad]",
+        check_close("stiffness over the mesh cycle [N mm/rad]",
                     pair.law.stiffness.value(x) / 2e9,
                     1 + .1 * std::cos(a) + .02 * std::cos(2 * a) + .05 * std::sin(2 * a),
                     1e-14);
@@ -82,7 +82,7 @@ namespace
   void load_laws()
   {
     std::ofstream("table.csv")
-      << "position [tooth meshes],unloaded transmission error [arcsec],transmission error "
+      << "position [mesh cycles],unloaded transmission error [arcsec],transmission error "
          "[arcsec],contact torque on the gear [N m],tangent stiffness [N m/rad]\n"
          "0,1,-54,800,3.8e6\n0.5,-1,-56,800,3.8e6\n";
     const double pressed = 55 * arcsecond, tangent = 3.8e9, torque = 8e5;
@@ -171,7 +171,8 @@ end
   void numbers()
   {
     const LumpedPair pair =
-      Read("set speed damping = 120\nset damping ratio = 0.07\nset pinion inertia = 800\n").pair();
+      Read("set driven speed damping = 120\nset damping ratio = 0.07\nset pinion inertia = 800\n")
+        .pair();
     check("teeth", pair.driver_teeth == 27 && pair.driven_teeth == 79 && pair.ratio() == 27. / 79);
     check_close("torque [N mm]", pair.torque, 8e5, 0.);
     check_close("gear inertia [t mm^2]", pair.driven_inertia, 20., 1e-14);
@@ -188,7 +189,7 @@ end
   void laws_of_a_table()
   {
     std::ofstream("table.csv")
-      << "position [tooth meshes],unloaded transmission error [arcsec],transmission error [arcsec],"
+      << "position [mesh cycles],unloaded transmission error [arcsec],transmission error [arcsec],"
          "contact torque on the gear [N m],tangent stiffness [N m/rad]\n"
          "0,1,-54,800,3.8e6\n0.5,-1,-56,800,3.7e6\n";
     const double secant = 8e5 / (55 * arcsecond);
@@ -246,10 +247,10 @@ end
                     R"(
 subsection Lumped
   set damping ratio   = 0
-  set settling meshes = 0
-  set measured meshes = 5
+  set settling mesh cycles = 0
+  set recorded mesh cycles = 5
   set tolerance       = )" +
-                      tolerance + "\n  set samples = " + per_mesh + "\nend\n",
+                      tolerance + "\n  set samples per mesh cycle = " + per_mesh + "\nend\n",
                     "10 mm");
     const LumpedModel model(read.pair());
     LumpedSolver      solver(model, read.run);
@@ -272,7 +273,7 @@ subsection Lumped
   {
     unsigned int n    = 0;
     const double fine = swing_error("1e-11", "16", n);
-    check("samples: 16 in each of 5 tooth meshes", n == 5 * 16);
+    check("samples: 16 in each of 5 mesh cycles", n == 5 * 16);
     // Few samples, so that they do not cut the steps.
     const double rough = swing_error("1e-4", "4", n);
     check("samples: 4 in each", n == 5 * 4);

@@ -150,7 +150,7 @@ namespace
     sweep_speeds(model, exact_run(100, 10, 64), sweep, table);
     const std::vector<double> &swing = table.numbers("peak to peak dte"),
                               &speed = table.numbers("speed"), &apart = table.numbers("time apart");
-    // The same speeds up and down, in equal steps of the tooth mesh's frequency.
+    // The same speeds up and down, in equal steps of the mesh frequency.
     double steps = 0;
     for (std::size_t i = 0; i < 36; ++i)
       for (const std::size_t row : {i, 71 - i})

@@ -93,7 +93,9 @@ namespace
     };
     // Behind the row that joins three columns into one, a row has two columns in a sector.
     check("fillet rows: two more at rim and hub, of two layers",
-          count("set fillet rows = 3\n") - count("set fillet rows = 1\n") == 2 * (6 + 2) * 2);
+          count("set elements along web fillet = 3\n") -
+              count("set elements along web fillet = 1\n") ==
+            2 * (6 + 2) * 2);
   }
 
   /** Ends of the web's foot on the rim's underside, which is a straight line in the meridian. */
@@ -132,7 +134,7 @@ namespace
     const auto make = [&](const std::string &bore) {
       return make_gear_body(gear,
                             read(coarse(GearBodyOptions()),
-                                 "set web = solid\nset bore radius = " + bore + "\n"));
+                                 "set body type = solid\nset bore radius = " + bore + "\n"));
     };
     const auto large = make("60"), small = make("55");
     double     radius = 0;
@@ -169,8 +171,8 @@ namespace
           mesh->triangulation.n_active_cells() ==
             27u * 10 * (3 * sized.cells_across + sized.rim_rows * sized.columns()));
 
-    const std::string few  = "set cells lengthwise = 2\nset cells across tooth = 2\n"
-                             "set flank rows = 2\nset rim rows = 2\n";
+    const std::string few  = "set elements along face width = 2\nset elements across tooth = 2\n"
+                             "set elements along profile = 2\nset elements through rim = 2\n";
     const auto        once = make_gear_body(pinion, read(pinion_body_defaults(), "", few));
     const auto        refined =
       make_gear_body(pinion, read(pinion_body_defaults(), "", few + "set refinements = 1\n"));

@@ -9,9 +9,9 @@ vfife=$1 prm=$2 folder=$3
 ccx=$(command -v ccx) || exit 77
 rm -rf "$folder"
 # The coarsest meshes: volumes, masses and sums of forces are as exact.
-entries=(--set Output/pictures=no)
+entries=(--set Output/report=no)
 for member in Pinion Gear; do
-  for size in "cells lengthwise" "flank rows" "rim rows"; do
+  for size in "elements along face width" "elements along profile" "elements through rim"; do
     entries+=(--set "Gear pair/$member/Mesh/$size=2")
   done
 done

@@ -248,9 +248,9 @@ namespace
     dealii::ParameterHandler prm;
     options.declare(prm);
     prm.parse_input_from_string(
-      "subsection Body\n set web thickness = 3.5 mm\n set web angle = 55\n"
+      "subsection Body\n set web thickness = 3.5 mm\n set web inclination = 55\n"
       "set web direction = towards apex\nend\n"
-      "subsection Mesh\n set flank rows = 4\nend\n");
+      "subsection Mesh\n set elements along profile = 4\nend\n");
     check("options are read",
           options.web_thickness == 3.5 && std::abs(options.web_angle - 55. * pi / 180.) < 1e-15 &&
             options.web_direction == WebDirection::apex && options.flank_rows == 4 &&

@@ -31,7 +31,7 @@ namespace
     options.declare(prm);
     prm.parse_input_from_string(
       "subsection Shaft\n set sections = 80 200 40 20\n"
-      "set axial cell size = 0.004 m\n set radial cell size = 2.5\nend\n");
+      "set axial element size = 0.004 m\n set radial element size = 2.5\nend\n");
     options.shaft.levels  = {85.25, 150.125};
     const auto       mesh = make_gear_body(pinion, options);
     std::set<double> heights, radii;

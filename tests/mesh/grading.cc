@@ -135,8 +135,8 @@ int main()
   GearBodyOptions          gear_options, pinion_options = pinion_body_defaults();
   dealii::ParameterHandler prm;
   gear_options.declare(prm);
-  prm.parse_input_from_string("subsection Body\n set web = none\nend\n"
-                              "subsection Mesh\n set cells lengthwise = 6\n"
+  prm.parse_input_from_string("subsection Body\n set body type = rim only\nend\n"
+                              "subsection Mesh\n set elements along face width = 6\n"
                               "set grading towards fillet = 3\n"
                               "set grading towards flank = 2\nend\n");
   check_body(paper::gear(), gear_options);

@@ -206,7 +206,7 @@ namespace
     PrimitiveOptions         ring("ring");
     dealii::ParameterHandler prm;
     ring.declare(prm);
-    prm.parse_input_from_string("set inner radius = 0.021 m\nset cells around = 12");
+    prm.parse_input_from_string("set inner radius = 0.021 m\nset elements around = 12");
     check("entries are read", std::abs(ring.sizes[0] - 21.) < round_off && ring.counts[1] == 12);
     check("refuses an unknown shape", refuses([] { PrimitiveOptions("spher"); }));
     check("refuses an odd core by entry", refuses([] {

@@ -36,39 +36,39 @@ namespace
   void shapes()
   {
     check_shape("block",
-                "set size x = 0.01 m\nset size y = 2\nset size z = 3\nset cells x = 2\n"
-                "set cells y = 1\nset cells z = 3\n",
+                "set size x = 0.01 m\nset size y = 2\nset size z = 3\nset elements x = 2\n"
+                "set elements y = 1\nset elements z = 3\n",
                 6,
                 60.,
                 1e-13);
     check_shape("beam",
-                "set length = 50\nset width = 2\nset height = 3\nset cells along length = 5\n"
-                "set cells across width = 1\nset cells over height = 2\n",
+                "set length = 50\nset width = 2\nset height = 3\nset elements along length = 5\n"
+                "set elements across width = 1\nset elements over height = 2\n",
                 10,
                 300.,
                 1e-13);
     check_shape("ring",
                 "set inner radius = 5\nset outer radius = 7\nset height = 2\n"
-                "set radial cells = 2\nset cells around = 30\nset axial cells = 1\n",
+                "set radial elements = 2\nset elements around = 30\nset axial elements = 1\n",
                 60,
                 2 * 24 * polygon(30),
                 1e-12);
     // Circles are divided by four times the cells across the core.
     check_shape("cylinder",
-                "set radius = 8\nset height = 5\nset core cells = 6\n"
-                "set radial cells = 2\nset axial cells = 3\n",
+                "set radius = 8\nset height = 5\nset core elements = 6\n"
+                "set radial elements = 2\nset axial elements = 3\n",
                 (36 + 24 * 2) * 3,
                 5 * 64 * polygon(24),
                 1e-12);
     check_shape("disc",
-                "set radius = 20\nset thickness = 2.5\nset core cells = 4\n"
-                "set radial cells = 5\nset axial cells = 1\n",
+                "set radius = 20\nset thickness = 2.5\nset core elements = 4\n"
+                "set radial elements = 5\nset axial elements = 1\n",
                 16 + 16 * 5,
                 2.5 * 400 * polygon(16),
                 1e-12);
     // Cubes of the surface are 15 degrees wide.
     check_shape("sphere",
-                "set radius = 3\nset core cells = 6\nset radial cells = 2\n",
+                "set radius = 3\nset core elements = 6\nset radial elements = 2\n",
                 216 + 6 * 36 * 2,
                 4. / 3 * pi * 27,
                 .03);
@@ -124,7 +124,7 @@ end
 
   void held_by_bearings()
   {
-    const Model model = make_model(body("set bearing = yes\nset axis point = 5, 5, -100\n"
+    const Model model = make_model(body("set rotating = yes\nset axis point = 5, 5, -100\n"
                                         "set axis direction = 0, 0, -2\nset speed = 3000 rpm\n"));
     const Body &made  = model.bodies.front();
     check("bearing: turns on its axis", made.turns_on_axis);
@@ -212,11 +212,11 @@ end
                                 "set mesh = file\n",
                                 "set mesh = file\nset file = nothing.msh\n",
                                 "set mesh = ring\nset inner radius = 40 mm\n",
-                                "set mesh = cylinder\nset core cells = 3\n",
+                                "set mesh = cylinder\nset core elements = 3\n",
                                 "set rotation axis = 0, 0, 0\n",
-                                "set bearing = yes\nset axis direction = 0, 0, 0\n",
-                                "set bearing = yes\nset velocity = 1, 0, 0\n",
-                                "set bearing = yes\nset angular velocity = 1, 0, 0\n",
+                                "set rotating = yes\nset axis direction = 0, 0, 0\n",
+                                "set rotating = yes\nset velocity = 1, 0, 0\n",
+                                "set rotating = yes\nset angular velocity = 1, 0, 0\n",
                                 "set speed = 1 rpm\n",
                                 "set velocity = 1, 0\n",
                                 "set initial velocity y = 2*w\n"})

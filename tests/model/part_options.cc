@@ -281,7 +281,7 @@ namespace
     check("bodies a little inside each other", start(two_blocks("8, 0, 0", faces)).empty());
     check("bodies side by side", start(two_blocks("0, 10, 0", faces)).empty());
     check("where contact looks deeper",
-          start(two_blocks("5, 0, 0", faces + "set depth limit = 6 mm\n")).empty());
+          start(two_blocks("5, 0, 0", faces + "set contact depth limit = 6 mm\n")).empty());
     refuse_start(two_blocks("5, 0, 0", faces));
     // Through each other, so that the surfaces of the contact are out again.
     std::cout << start(two_blocks("-2, 0.1, 0.2", faces));

@@ -77,7 +77,7 @@ namespace
     const unsigned int low = node_at(model, 0, 30, 3, 0.), other = node_at(model, 0, 30, 7, 0.),
                        middle  = node_at(model, 0, 30, 5, 2.5),
                        of_gear = node_at(model, 1, 30, 11, 8.);
-    // Before the last tooth mesh and between samples nothing counts.
+    // Before the last mesh cycle and between samples nothing counts.
     show(1.99e-3, 190, {{low, Vector3(1e6, 0., 0.)}});
     show(2.05e-3, 205, {{low, Vector3(1e6, 0., 0.)}});
     // Round-off of the time does not cost the first sample.

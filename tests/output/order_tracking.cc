@@ -17,7 +17,7 @@ using namespace vfife;
 
 namespace
 {
-  /** Tooth meshes of a pair of 30 teeth at 2000 rpm that gains 2e5 rpm a second. */
+  /** Mesh cycles of a pair of 30 teeth at 2000 rpm that gains 2e5 rpm a second. */
   Transmission make_pair()
   {
     const QuantityOverTime speed = history_of("2000 + 2e5*t", "rpm");
@@ -72,10 +72,10 @@ namespace
     check_below("amplitudes of the rim", of_rim, 2e-3);
     check_below("amplitudes of the force", of_force, .02);
     check_below("speed at the middle of a window", of_speed, 1e-12);
-    check_below("middles of the windows [tooth meshes]", of_place, 1e-9);
+    check_below("middles of the windows [mesh cycles]", of_place, 1e-9);
   }
 
-  /** What is not periodic with the tooth mesh, as the swing of the pair: windows of weights 1 - cos
+  /** What is not periodic with the mesh cycle, as the swing of the pair: windows of weights 1 - cos
    * let little of it into the orders, a sin(pi d)/(pi d (1 - d^2)) for a vibration d periods a
    * window beside an order. Windows without weights let a sin(pi d)/(pi d) in, 30 times as much
    * here. */

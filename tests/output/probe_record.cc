@@ -8,7 +8,7 @@ using namespace vfife;
 
 namespace
 {
-  constexpr double frequency = 100.; // tooth meshes a second
+  constexpr double frequency = 100.; // mesh cycles a second
   constexpr int    teeth     = 40;
 
   /** 10 MPa far from the mesh; a tooth of a saw that rises to 50 MPa from 2 meshes before the mean
@@ -19,7 +19,7 @@ namespace
     return 10 + 40 * std::max(0., std::min((place + 2) / 8, (16 - place) / 10));
   }
 
-  /** Of a run of some tooth meshes that begins at a place after the mesh, two samples a mesh. */
+  /** Of a run of some mesh cycles that begins at a place after the mesh, two samples a mesh. */
   ProbeRecord record(const double begin, const int meshes)
   {
     std::vector<double> times, stresses, turn;

@@ -129,8 +129,8 @@ namespace
     close("/energy/work of the drive", 205);
     close("/energy/work of the torques", -56);
     close("/energy/damping loss", 7);
-    close("/energy/taken by the mesh damping", 8);
-    close("/energy/taken by the mesh damping from the swing", 6);
+    close("/energy/taken by the driven speed damping", 8);
+    close("/energy/taken by the driven speed damping from the swing", 6);
     close("/energy/contact loss", 9);
     close("/energy/contact loss by friction", 4);
     close("/energy/residual", residual);

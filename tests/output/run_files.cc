@@ -233,7 +233,7 @@ namespace
     check("long steps", options.compute_history_steps(&pair, 1. / 9000 / 7) == 1);
     check("without a gear pair", options.compute_history_steps(nullptr, dt) == 50);
     options.fields_every = .1;
-    check("ten fields a tooth mesh", options.compute_field_steps(&pair, dt) == 200);
+    check("ten fields a mesh cycle", options.compute_field_steps(&pair, dt) == 200);
     print_refusal([&] { options.compute_field_steps(nullptr, dt); });
     options.fields_every = 0;
     check("no fields", options.compute_field_steps(&pair, dt) == 0);

@@ -17,7 +17,7 @@ namespace
 {
   constexpr double mesh_period = 1. / 9000.;
 
-  /** History of @p n_meshes; @p force and @p dte are functions of the time in tooth meshes. */
+  /** History of @p n_meshes; @p force and @p dte are functions of the time in mesh cycles. */
   Table make_history(const double                               n_meshes,
                      const double                               samples_per_mesh,
                      const std::function<double(const double)> &force,
@@ -182,7 +182,7 @@ namespace
     const SteadyPart brief = find_steady_part(make_history(3, 20, flat, constant_dte), 20, 13, 0);
     check("shorter than two periods: none", !brief.found && brief.cycles == 1);
     check("shorter than a period: said so",
-          brief.explain().find("less than one swing period of 13 tooth meshes") !=
+          brief.explain().find("less than one swing period of 13 mesh cycles") !=
             std::string::npos);
 
     // A period of 13 meshes in a record of 20: the swing shows in the means of the cycles.

@@ -16,9 +16,9 @@ import numpy as np
 import vfife
 from vfife.program import find_message
 
-BARS = vfife.Case(ROOT / "prm/verification/two_bars.prm").set("Output/pictures", False)
-PAIR = vfife.Case(ROOT / "prm/gear/proposed_17_43.prm").set("Output/pictures", False)
-PLATE = vfife.Case(ROOT / "prm/verification/plate_with_hole.prm").set("Output/pictures", False)
+BARS = vfife.Case(ROOT / "prm/verification/two_bars.prm").set("Output/report", False)
+PAIR = vfife.Case(ROOT / "prm/gear/proposed_17_43.prm").set("Output/report", False)
+PLATE = vfife.Case(ROOT / "prm/verification/plate_with_hole.prm").set("Output/report", False)
 
 
 class Folder(unittest.TestCase):
@@ -61,7 +61,7 @@ class Runs(Folder):
             ratios.append(result.summary["drive side, contact ratio"])
         self.assertEqual(ratios[0].unit, "-")
         self.assertLess(ratios[0].value + 0.05, ratios[1].value)
-        self.assertEqual(PAIR.settings, {"Output/pictures": "no"})
+        self.assertEqual(PAIR.settings, {"Output/report": "no"})
         self.assertIn("path", result.tables)
         self.assertEqual(set(result.table("path")["side"]), {"drive", "coast"})
 
@@ -87,9 +87,9 @@ class Runs(Folder):
             self.assertRaises(ImportError, result.frame, "transmission")
 
     def test_restart(self):
-        short = BARS.set("Dynamics/largest number of steps", 100)
+        short = BARS.set("Dynamics/maximum number of steps", 100)
         self.assertEqual(short.run(output=self.folder).json("summary")["run"]["steps"], 100)
-        longer = BARS.set("Dynamics/largest number of steps", 150).run(output=self.folder, restart=True)
+        longer = BARS.set("Dynamics/maximum number of steps", 150).run(output=self.folder, restart=True)
         self.assertEqual(longer.json("summary")["run"]["steps"], 150)
 
 
@@ -136,7 +136,7 @@ class Failures(Folder):
 
     def test_computation(self):
         with self.assertRaisesRegex(vfife.ComputationFailed, "not reached in 50 relaxation steps") as caught:
-            PLATE.set("Dynamics/Relaxation/largest number of steps", 50).run(output=self.folder / "plate")
+            PLATE.set("Dynamics/Relaxation/maximum number of steps", 50).run(output=self.folder / "plate")
         self.assertEqual(caught.exception.result.status, "failed")
         self.assertIn("history", caught.exception.result.tables)
         self.assertNotIsInstance(caught.exception, vfife.Stopped)

@@ -25,21 +25,21 @@ COARSE = """
 subsection Gear pair
   subsection Pinion
     subsection Mesh
-      set cells lengthwise   = 2
-      set cells across tooth = 2
-      set flank rows         = 2
-      set rim rows           = 2
+      set elements along face width = 2
+      set elements across tooth = 2
+      set elements along profile = 2
+      set elements through rim = 2
     end
   end
   subsection Gear
     subsection Body
-      set web = none
+      set body type = rim only
     end
     subsection Mesh
-      set cells lengthwise   = 2
-      set cells across tooth = 2
-      set flank rows         = 2
-      set rim rows           = 2
+      set elements along face width = 2
+      set elements across tooth = 2
+      set elements along profile = 2
+      set elements through rim = 2
     end
   end
 end
@@ -99,7 +99,7 @@ class Values(unittest.TestCase):
     def test_unloaded(self):
         """Also of a pair with unequal teeth, whose file names another file beside it."""
         for file in (PROPOSED, ROOT / "prm/errors/pitch_error.prm"):
-            result = vfife.Case(file).set("Output/pictures", False).run(output=self.folder / file.stem)
+            result = vfife.Case(file).set("Output/report", False).run(output=self.folder / file.stem)
             analysis = gear.Pair(file).unloaded()
             self.assert_tables(analysis, result, 0)
             self.assertEqual(figures_of(analysis.summary), figures_of(result.summary))
@@ -113,7 +113,7 @@ class Values(unittest.TestCase):
         text = LOADED.format(file=PROPOSED)
         file = self.folder / "loaded.prm"
         file.write_text(text, encoding="utf-8")
-        case = vfife.Case(file).set("Study/kind", "loaded tooth contact analysis").set("Output/pictures", False)
+        case = vfife.Case(file).set("Study/kind", "loaded tooth contact analysis").set("Output/report", False)
         result = case.run(output=self.folder / "loaded")
         analysis = gear.Pair.from_text(text).loaded()
         # residuals and iterations are round-off's own; so is BLAS, whose threads are Python's here
@@ -127,7 +127,7 @@ class Values(unittest.TestCase):
     def test_flank_points(self):
         file = self.folder / "mesh.prm"
         file.write_text(f"include {PROPOSED}\n{COARSE}", encoding="utf-8")
-        case = vfife.Case(file).set("Study/kind", "mesh").set("Output/pictures", False)
+        case = vfife.Case(file).set("Study/kind", "mesh").set("Output/report", False)
         case = case.set("Export/flank points lengthwise", 4).set("Export/flank points profile", 3)
         result = case.run(output=self.folder / "mesh")
         for member in ("pinion", "gear"):

@@ -71,7 +71,7 @@ namespace
       }
   }
 
-  /** Means over tooth meshes after some for settling, and the energy error. */
+  /** Means over mesh cycles after some for settling, and the energy error. */
   struct Means
   {
     std::vector<double> errors; ///< of transmission, in steps of a tenth of a mesh [arcsec]

@@ -188,7 +188,7 @@ namespace
 
   void on_bores(Communicator &world)
   {
-    exported(coarse_pair("set web = conical", coarse_web), world);
+    exported(coarse_pair("set body type = conical web", coarse_web), world);
   }
 
   void on_shafts(Communicator &world)

@@ -20,7 +20,7 @@ namespace
                    const std::string  &torque,
                    const Communicator &world)
   {
-    std::ofstream(name + ".prm") << coarse_pair("set web = conical", coarse_web)
+    std::ofstream(name + ".prm") << coarse_pair("set body type = conical web", coarse_web)
                                  << "subsection Operation\n set speed = " << speed
                                  << "\n set torque = " << torque << "\n set end time = 1 ms\nend\n"
                                  << given_penalty;
@@ -73,7 +73,7 @@ namespace
         check_close("the load is carried", state.measured.contact_torque / 8e5, 1., 1e-6);
       }
 
-    // Through a tooth mesh.
+    // Through a mesh cycle.
     ReducedPair pair =
       make_pair(model, reduce(model, 15e3, 6, world), {mesh / 2000., 2000., 2000.});
     pair.start();
@@ -90,7 +90,7 @@ namespace
           std::abs(state.measured.transmission_error / error_of(model, compliance, there) - 1.));
       }
     // The swing that a load upon another tooth starts is still there.
-    check_below("positions of a tooth mesh in turn", worst, 2e-4);
+    check_below("positions of a mesh cycle in turn", worst, 2e-4);
 
     // In equilibria alone, few and far between.
     pair.set_speed(model.transmission->driver_rate, mesh / 8.);

@@ -65,8 +65,9 @@ inline vfife::Model make_pinion(const std::optional<vfife::ConstraintKind> &hub,
                                 const double                                rate,
                                 const vfife::Communicator                  &world)
 {
-  const std::string all  = quick_pair("set web = none", "set rim rows = 2", "1e-5");
-  vfife::Model      pair = make_gear_model("pinion.prm",
+  const std::string all =
+    quick_pair("set body type = rim only", "set elements through rim = 2", "1e-5");
+  vfife::Model pair = make_gear_model("pinion.prm",
                                       all.substr(0, all.find("subsection Dynamics")),
                                       world),
                model;

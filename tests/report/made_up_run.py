@@ -101,15 +101,15 @@ def make_parameters(web_thickness="5"):
     return {"Study/kind": ("run", ""),
             "Gear pair/Pinion/Blank/number of teeth": ("27", "-"),
             "Gear pair/Gear/Blank/number of teeth": ("79", "-"),
-            body + "web": ("conical", ""),
+            body + "body type": ("conical web", ""),
             body + "web thickness": (web_thickness, "mm"),
-            body + "web angle": ("70 deg", "deg"),
+            body + "web inclination": ("70 deg", "deg"),
             body + "web direction": ("towards back", ""),
             body + "web attachment": ("toe", ""),
             body + "rim thickness": ("8.5 mm", "mm"),
             "Operation/speed": ("20000 rpm", "rpm"),
             "Operation/torque": ("800 N m", "N m"),
-            "Dynamics/start": ("static preload", "")}
+            "Dynamics/start": ("static equilibrium", "")}
 
 
 def write_parameters(folder, parameters):

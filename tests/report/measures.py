@@ -41,7 +41,7 @@ subsection Gear pair
       # Thickness of the web, normal
       # to it (not negative) [mm]
       set web thickness   = 5.0
-      set web angle       = 70 deg
+      set web inclination = 70 deg
     end
   end
 end
@@ -150,7 +150,7 @@ class Checks(unittest.TestCase):
             summary["steady part"]["columns"]["contact torque on the gear"] = {
                 "mean": mean, "peak to peak": 1, "standard deviation": 1, "unit": "N m"}
             summary["contact losses"]["count"] = losses
-            summary["energy"]["taken by the mesh damping from the swing"] = {"value": swing, "unit": "mJ"}
+            summary["energy"]["taken by the driven speed damping from the swing"] = {"value": swing, "unit": "mJ"}
             (folder / "summary.json").write_text(json.dumps(summary))
             return {name: (verdict, value) for name, value, _, verdict in list_checks(RunFolder(name))}
 
@@ -171,7 +171,7 @@ class Checks(unittest.TestCase):
 
     def test_mesh_damping(self):
         """It takes from the swing; where it gives, it feeds it."""
-        name = "mesh damping: energy taken from the swing"
+        name = "driven speed damping: energy taken from the swing"
         self.assertEqual(self.check((0,) * 5, 800, 0)[name], ("met", "0.3 mJ"))
         self.assertEqual(self.check((0,) * 5, 800, 0, -0.3)[name], ("not met", "-0.3 mJ"))
 
@@ -183,11 +183,11 @@ class SpeedSweep(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         path = Path(folder.name)
-        write_parameters(path, {**make_parameters(), "Study/kind": ("reduced", ""), "Operation/tooth meshes": ("40", "-"),
+        write_parameters(path, {**make_parameters(), "Study/kind": ("reduced", ""), "Operation/mesh cycles": ("40", "-"),
                                 "Operation/torque": ("0", "N m"), "Operation/pinion torque": ("265 N m", "N m"),
                                 "Reduced/sweep": ("up", ""), "Reduced/lowest speed": ("8000 rpm", "rpm"),
                                 "Reduced/highest speed": ("9000 rpm", "rpm"), "Reduced/speeds": ("3", "-"),
-                                "Reduced/settling meshes": ("2", "-"), "Reduced/counted meshes": ("4", "-")})
+                                "Reduced/settling mesh cycles": ("2", "-"), "Reduced/recorded mesh cycles": ("4", "-")})
         (path / "resonance.csv").write_text("direction,speed [rpm],energy error [-]\nup,8000,0.001\nup,8500,-0.02\nup,9000,0.0049\n")
         summary = {"status": "finished", "contradictions": [], "warnings": [], "run": {"time": quantity(2e-3, "s"), "steps": 900, "run time": quantity(1, "s"), "ranks": 1}, "figures": {
             "speeds": quantity(3), "lowest speed": quantity(8000, "rpm"), "highest speed": quantity(9000, "rpm"),
@@ -200,8 +200,8 @@ class SpeedSweep(unittest.TestCase):
                          "9000 rpm, 265 N m on the pinion: reduced")
         rows = dict(list_case_rows(self.run_folder))
         self.assertEqual(rows["speeds of the pinion"], "3 from 8000 rpm to 9000 rpm, up")
-        self.assertEqual(rows["tooth meshes at each speed"], "2 to settle, 4 counted")
-        self.assertNotIn("tooth meshes", rows)
+        self.assertEqual(rows["mesh cycles at each speed"], "2 to settle, 4 counted")
+        self.assertNotIn("mesh cycles", rows)
         self.assertNotIn("speed of the pinion in operation", rows)
         self.assertEqual(next(list_sentences(self.run_folder)).split(",")[0], "The spiral bevel gear pair 27/79 turns at 3 speeds "
                          "from 8000 to 9000 rpm of the pinion")
@@ -367,7 +367,7 @@ class Texts(unittest.TestCase):
     def check_parameters(self, folder):
         found = read_parameters(folder)
         self.assertEqual(found["Gear pair/Gear/Body/web thickness"], "5.0 mm")
-        self.assertEqual(found["Gear pair/Gear/Body/web angle"], "70 deg")
+        self.assertEqual(found["Gear pair/Gear/Body/web inclination"], "70 deg")
         self.assertEqual(found["Gear pair/Pinion/Blank/number of teeth"], "27")
         self.assertEqual(found["Operation/speed"], "20000 rpm")
 

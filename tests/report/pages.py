@@ -87,28 +87,28 @@ class Pages(unittest.TestCase):
         """Rows of the case's table, of a run with other parameters."""
         with tempfile.TemporaryDirectory() as name:
             write_run(Path(name), fields=False)
-            parameters = {**make_parameters(), "Operation/tooth meshes": ("14", ""), "Dynamics/damping": ("1000", "1/s"),
-                          "Dynamics/mesh damping": ("2000", "1/s"), "Dynamics/frame": ("polar", "")}
+            parameters = {**make_parameters(), "Operation/mesh cycles": ("14", ""), "Dynamics/mass proportional damping": ("1000", "1/s"),
+                          "Dynamics/driven speed damping": ("2000", "1/s"), "Dynamics/corotational frame": ("polar", "")}
             write_parameters(Path(name), {**parameters, **changed})
             return dict(list_case_rows(RunFolder(name)))
 
     def test_case(self):
         """What is in force: no entry that the kind of study does not use, and no default that another entry replaces."""
-        self.assertEqual(self.list_case()["damping"], "1000 1/s")
+        self.assertEqual(self.list_case()["mass proportional damping"], "1000 1/s")
         ratio = {"Dynamics/damping ratio": ("1 %", ""), "Dynamics/damping frequency": ("3.7 kHz", "Hz")}
-        self.assertEqual(self.list_case(**ratio)["damping"], "1 % at 3.7 kHz")
-        self.assertNotIn("damping", self.list_case(**{"Dynamics/damping": ("0", "1/s")}))
-        for kind, unused in (("waves", {"tooth meshes", "start", "element frame, stiffness"}),
-                             ("static", {"start", "damping", "mesh damping"}), ("reduced", {"element frame, stiffness"}),
+        self.assertEqual(self.list_case(**ratio)["mass proportional damping"], "1 % at 3.7 kHz")
+        self.assertNotIn("damping", self.list_case(**{"Dynamics/mass proportional damping": ("0", "1/s")}))
+        for kind, unused in (("waves", {"mesh cycles", "start", "element frame, stiffness"}),
+                             ("static", {"start", "damping", "driven speed damping"}), ("reduced", {"element frame, stiffness"}),
                              ("run", set())):
             rows = self.list_case(**{"Study/kind": (kind, "")})
             self.assertEqual(unused & set(rows), set(), kind)
-        self.assertIn("tooth meshes", rows)
+        self.assertIn("mesh cycles", rows)
         model = {name: ("0", "-") for name in make_parameters() if name.endswith("number of teeth")}
-        self.assertNotIn("mesh damping", self.list_case(**model))
+        self.assertNotIn("driven speed damping", self.list_case(**model))
         # Errors that are given, and who drives.
         rows = self.list_case(**{"Gear pair/Mounting/offset": ("0.1", "mm", "0"), "Gear pair/Mounting/backlash": ("0.1", "mm", "0.12"),
-                                 "Gear pair/Errors/Gear/eccentricity": ("0", "um", "0"), "Operation/driving member": ("gear", "")})
+                                 "Gear pair/Errors/Gear/radial runout amplitude": ("0", "um", "0"), "Operation/driving member": ("gear", "")})
         self.assertEqual(rows["Mounting, offset"], "0.1 mm")
         self.assertEqual(rows["torque on the pinion"], "800 N m")
         self.assertFalse({"Mounting, backlash", "Errors, Gear, eccentricity", "torque on the gear"} & set(rows))
@@ -117,7 +117,7 @@ class Pages(unittest.TestCase):
         """A run that was told to end after some steps has not come to its end."""
         for steps, said in (("0", "finished"), ("50", "ended after 50 steps")):
             run = SimpleNamespace(summary={"status": "finished", "run": {"steps": 50}}, parameters={
-                "Dynamics/largest number of steps": steps})
+                "Dynamics/maximum number of steps": steps})
             self.assertEqual(read_early_end(run), 50 * (steps == "50"), said)
 
     def write_model(self, folder, study):
@@ -246,7 +246,7 @@ class Pages(unittest.TestCase):
                 self.assertIn(f"<td>{'yes' if steady else 'no'}</td>", row)
 
     def test_killed(self):
-        """A run without summary: histories over time, nothing over tooth meshes."""
+        """A run without summary: histories over time, nothing over mesh cycles."""
         with tempfile.TemporaryDirectory() as name:
             write_run(Path(name), fields=False)
             (Path(name) / "summary.json").unlink()
@@ -316,14 +316,14 @@ class Pages(unittest.TestCase):
                 folder = Path(name) / kind
                 folder.mkdir()
                 write_run(folder, fields=False)
-                write_parameters(folder, {**make_parameters(), "Study/kind": (kind, ""), "Dynamics/damping": (damping, "1/s"),
-                                          "Operation/tooth meshes": (meshes, "")})
+                write_parameters(folder, {**make_parameters(), "Study/kind": (kind, ""), "Dynamics/mass proportional damping": (damping, "1/s"),
+                                          "Operation/mesh cycles": (meshes, "")})
                 (folder / "report.html").write_text("made by the run")
             make_page(name)
             text = self.read(name)
-            self.assertIn("<th>damping</th>", text)
+            self.assertIn("<th>mass proportional damping</th>", text)
             self.assertNotIn("1000 1/s", text)
-            self.assertNotIn("<th>tooth meshes</th>", text)
+            self.assertNotIn("<th>mesh cycles</th>", text)
             self.assertIn("report.html in its folder", text)
 
     def test_ledger(self):
@@ -457,7 +457,7 @@ class Pages(unittest.TestCase):
         (folder / "summary.json").write_text(json.dumps(summary))
         parameters = {name: (value + self.MARKUP, unit)
                       for name, (value, unit) in make_parameters(thickness).items()}
-        parameters["Gear pair/Gear/Body/web"] = ("conical", "")
+        parameters["Gear pair/Gear/Body/body type"] = ("conical web", "")
         for what in ("Young's modulus", "Poisson's ratio", "density"):
             parameters[f"Material {self.MARKUP}/{what}"] = (self.MARKUP, "")
         write_parameters(folder, parameters)

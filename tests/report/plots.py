@@ -185,7 +185,7 @@ class Bearings(unittest.TestCase):
 
     def test_of_run_and_analysis(self):
         for first, factor, label in (("time [s]", 1e3, "time [ms]"),
-                                     ("position [tooth meshes]", 1, "position [tooth meshes]")):
+                                     ("position [mesh cycles]", 1, "position [mesh cycles]")):
             with tempfile.TemporaryDirectory() as name:
                 self.write(Path(name), first, 4)
                 run = RunFolder(name)
@@ -273,7 +273,7 @@ class DrivenWaves(unittest.TestCase):
 
 
 class RunUp(unittest.TestCase):
-    """A pair that runs up from 1000 to 3000 rpm in 0.2 s, its tooth mesh from 500 to 1500 Hz: order 1 of 4
+    """A pair that runs up from 1000 to 3000 rpm in 0.2 s, its mesh frequency from 500 to 1500 Hz: order 1 of 4
     arcsec, order 2 of 1 arcsec."""
 
     def write(self, folder):

@@ -130,7 +130,7 @@ class Studies(unittest.TestCase):
             write_run(folder / "run", fields=False)
             (folder / "loaded").mkdir()
             (folder / "loaded" / "loaded_contact.csv").write_text(
-                "position [tooth meshes],transmission error [arcsec]\n0,-80\n0.5,-81\n")
+                "position [mesh cycles],transmission error [arcsec]\n0,-80\n0.5,-81\n")
             row = {"quantity": "mean dte", "unit": "arcsec", "value": -84.0, "reference": -80.0, "reference kind": "FEM",
                    "difference": -4.0, "tolerance": 1.0, "verdict": "differs", "reason": "coarse mesh"}
             (folder / "comparison.json").write_text(json.dumps({"title": "t", "rows": [row]}))

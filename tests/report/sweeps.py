@@ -36,7 +36,7 @@ FREE_LINE = 1100.0  # Hz
 
 
 def write_pair(folder, speed, meshes, make_dte):
-    """A run whose transmission error is make_dte(tooth meshes, mesh frequency)."""
+    """A run whose transmission error is make_dte(mesh cycles, mesh frequency)."""
     folder.mkdir(parents=True, exist_ok=True)
     frequency = speed * 27 / 60
     at = np.arange(meshes * SAMPLES + 1) / SAMPLES
@@ -54,7 +54,7 @@ def write_pair(folder, speed, meshes, make_dte):
          "columns": {"dte": statistics, "contact force total": dict(statistics, unit="N")}})
     (folder / "summary.json").write_text(json.dumps(summary))
     write_parameters(folder, {**make_parameters(), "Operation/speed": (f"{speed} rpm", "rpm"),
-                              "Operation/tooth meshes": (str(meshes), "-")})
+                              "Operation/mesh cycles": (str(meshes), "-")})
 
 
 def write_sweep(folder, speeds):
@@ -79,7 +79,7 @@ def write_response(folder, web, forces):
     """A sweep over speed with forces at 1000, 2000, 3000 rpm, and stresses a hundredth of them at two places."""
     folder.mkdir(parents=True)
     (folder / "summary.json").write_text(json.dumps(make_summary()))
-    write_parameters(folder, {**make_parameters(), "Gear pair/Gear/Body/web": (web, "")})
+    write_parameters(folder, {**make_parameters(), "Gear pair/Gear/Body/body type": (web, "")})
     rows = list(zip((1000, 2000, 3000), forces))
     (folder / "resonance.csv").write_text(
         "direction,speed [rpm],peak to peak dte [arcsec],largest force [N]\n" + "".join(
@@ -227,9 +227,9 @@ class Axes(unittest.TestCase):
                 (folder / "history.csv").write_text(
                     "time [s],contact force total [N],tip displacement x [mm],tip displacement y [mm]\n"
                     f"0,0,0,0\n1,0,{-count},0\n2,0,{0.5 * count},0\n")
-                write_parameters(folder, {"Dynamics/damping": (f"{count} 1/s", "1/s")})
+                write_parameters(folder, {"Dynamics/mass proportional damping": (f"{count} 1/s", "1/s")})
             axis = find_axis(find_variants(Path(name)))
-            self.assertEqual(axis.label, "damping [1/s]")
+            self.assertEqual(axis.label, "mass proportional damping [1/s]")
             (panel,) = draw_curves(Study(Path(name))).axes
             self.assertEqual(panel.get_title(loc="left"), "tip displacement, largest x")
             self.assertEqual(list(panel.lines[0].get_ydata()), [1, 2, 3])

@@ -8,8 +8,8 @@
  * its nodes, as each tooth has its cells around the axis; entries of the gear's body and mesh. */
 inline std::string few_teeth(const std::string &gear_body, const std::string &gear_mesh)
 {
-  const std::string mesh = "subsection Mesh\nset cells lengthwise = 2\n"
-                           "set cells across tooth = 2\nset flank rows = 2\n";
+  const std::string mesh = "subsection Mesh\nset elements along face width = 2\n"
+                           "set elements across tooth = 2\nset elements along profile = 2\n";
   return "subsection Gear pair\n"
          "subsection Proposal\nset pinion teeth = 10\nset gear teeth = 29\n"
          "set module = 8.505 mm\nset pinion hand = right\nset spiral angle = 30 deg\n"
@@ -17,7 +17,7 @@ inline std::string few_teeth(const std::string &gear_body, const std::string &ge
          "subsection Mounting\nset backlash = 0.12 mm\nend\n"
          "subsection Pinion\nsubsection Body\nset bore radius = 20 mm\nend\n" +
          mesh +
-         "set rim rows = 2\nend\nend\n"
+         "set elements through rim = 2\nend\nend\n"
          "subsection Gear\nsubsection Body\n" +
          gear_body +
          "\nset bore radius = 50 mm\nset hub radius = 60 mm\nset hub length = 36 mm\nend\n" + mesh +
@@ -25,7 +25,7 @@ inline std::string few_teeth(const std::string &gear_body, const std::string &ge
          "/tests/study/quick_contact/contact.prm\n\n\n";
 }
 
-/** One tooth mesh of that pair: as long as 2.7 of the paper's. */
+/** One mesh cycle of that pair: as long as 2.7 of the paper's. */
 inline std::string quick_few_teeth(const std::string &gear_body,
                                    const std::string &gear_mesh,
                                    const std::string &tolerance)

@@ -21,30 +21,31 @@ inline std::string coarse_pair(const std::string &gear_body, const std::string &
 {
   const std::string mesh = R"(
     subsection Mesh
-      set cells lengthwise   = 2
-      set cells across tooth = 2
-      set flank rows         = 2
+      set elements along face width = 2
+      set elements across tooth = 2
+      set elements along profile = 2
 )";
   return std::string("include ") + tree_folder() + "/prm/paper_pair.prm\n" +
          "subsection Gear pair\n  subsection Pinion" + mesh +
-         "      set rim rows           = 2\n    end\n  end\n" +
+         "      set elements through rim = 2\n    end\n  end\n" +
          "  subsection Gear\n    subsection Body\n" + gear_body + "\n    end" + mesh + gear_mesh +
          "\n    end\n  end\nend\ninclude " + tree_folder() +
          "/tests/study/quick_contact/contact.prm\n\n\n";
 }
 
 /** A conical web in its coarsest mesh: entries for coarse_pair(). */
-constexpr char coarse_web[] = "set rim rows = 3\nset web layers = 1\nset web rows = 3\n"
-                              "set hub rows = 1\nset hub side cells = 1";
+constexpr char coarse_web[] =
+  "set elements through rim = 3\nset elements through web = 1\nset elements along web = 3\n"
+  "set elements through hub = 1\nset elements beside web = 1";
 
-/** Sections of a run of one tooth mesh. */
+/** Sections of a run of one mesh cycle. */
 inline std::string one_tooth_mesh(const std::string &tolerance)
 {
   return R"(
 subsection Operation
   set speed        = 20000 rpm
   set torque       = 800 N m
-  set tooth meshes = 1
+  set mesh cycles = 1
 end
 subsection Dynamics
   subsection Relaxation
@@ -53,8 +54,8 @@ subsection Dynamics
   end
 end
 subsection Output
-  set history every = 98
-  set pictures      = false
+  set samples per mesh cycle = 98
+  set report        = false
   set verbosity     = quiet
 end
 )";
@@ -63,7 +64,7 @@ end
 /** The penalty of contact.prm as an entry, for starts without calibration. */
 constexpr char quick_penalty[] = "Contact/penalty=1071025";
 
-/** One tooth mesh of that pair. */
+/** One mesh cycle of that pair. */
 inline std::string
 quick_pair(const std::string &gear_body, const std::string &gear_mesh, const std::string &tolerance)
 {
@@ -109,7 +110,7 @@ inline void run_pair(const std::string       &file,
                      std::vector<std::string> overrides = {},
                      const bool               restart   = false)
 {
-  overrides.insert(overrides.begin(), "Output/pictures=no");
+  overrides.insert(overrides.begin(), "Output/report=no");
   run_case(file, folder, communicator, overrides, restart);
 }
 

@@ -45,38 +45,41 @@ namespace shaft_pair
    */
   struct Laws
   {
-    std::string front    = tapered + "set holds = +z\nset working load = 4000, 0, 3000 N\n";
-    std::string rear     = tapered + "set holds = -z\nset working load = 1500, 0, -2000 N\n";
+    std::string front =
+      tapered + "set axial load direction = +z\nset working load = 4000, 0, 3000 N\n";
+    std::string rear =
+      tapered + "set axial load direction = -z\nset working load = 1500, 0, -2000 N\n";
     std::string straddle = cylindrical, axial = thrust;
   };
 
   /** The paper's pair: its teeth are fine enough for means over eight positions. */
   inline std::string many_teeth()
   {
-    return coarse_pair("set web = conical\n", coarse_web);
+    return coarse_pair("set body type = conical web\n", coarse_web);
   }
 
   /** A pair overhung and straddled, with entries in the section Gear pair; @p cells: size of the
    * shafts' cells [mm]. */
-  inline std::string pair_on_shafts(const std::string &entries = "",
-                                    const Laws        &laws    = Laws(),
-                                    const std::string &pair    = few_teeth("set web = conical",
-                                                                        coarse_web),
-                                    const std::string &cells   = "30")
+  inline std::string
+  pair_on_shafts(const std::string &entries = "",
+                 const Laws        &laws    = Laws(),
+                 const std::string &pair    = few_teeth("set body type = conical web", coarse_web),
+                 const std::string &cells   = "30")
   {
     const std::string across_pinion = "0, 1, 0", across_gear = "1, 0, 0";
     return pair + "subsection Gear pair\n" + entries +
            "subsection Pinion\nsubsection Shaft\n"
-           "set sections = 98 160 40 20, 160 220 36 20\nset axial cell size = " +
-           cells + "\nset radial cell size = " + cells + "\nset bearings = front, rear\n" +
+           "set sections = 98 160 40 20, 160 220 36 20\nset axial element size = " +
+           cells + "\nset radial element size = " + cells + "\nset bearings = front, rear\n" +
            bearing("front", ring("140", "155"), across_pinion, laws.front) +
            bearing("rear", ring("190", "205"), across_pinion, laws.rear) + "subsection End\n" +
            ring("208", "220") +
            "set torsional stiffness = 1e9\nset torsional damping = 1e4\n"
            "end\nend\nend\n"
            "subsection Gear\nsubsection Shaft\n"
-           "set sections = -10 30 80 60, 30 120 100 60\nset axial cell size = " +
-           cells + "\nset radial cell size = " + cells + "\nset bearings = inner, outer, thrust\n" +
+           "set sections = -10 30 80 60, 30 120 100 60\nset axial element size = " +
+           cells + "\nset radial element size = " + cells +
+           "\nset bearings = inner, outer, thrust\n" +
            bearing("inner", ring("-10", "10"), across_gear, laws.straddle) +
            bearing("outer", ring("85", "100"), across_gear, laws.straddle) +
            bearing("thrust", ring("100", "110"), across_gear, laws.axial) + "subsection End\n" +
@@ -86,8 +89,9 @@ namespace shaft_pair
   inline std::string operation(const std::string &speed)
   {
     return "subsection Operation\nset speed = " + speed +
-           "\nset torque = 800 N m\nset tooth meshes = 1\nend\n"
-           "subsection Output\nset history every = 20\nset pictures = no\nset verbosity = quiet\n"
+           "\nset torque = 800 N m\nset mesh cycles = 1\nend\n"
+           "subsection Output\nset samples per mesh cycle = 20\nset report = no\nset verbosity = "
+           "quiet\n"
            "end\n";
   }
 

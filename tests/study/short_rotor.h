@@ -30,7 +30,7 @@ namespace rotor_text
   {
     return model_text::section("Body shaft",
                                "set mesh = stepped shaft\nset sections = " + sections +
-                                 "\nset bearing = yes\nset axis direction = 0, 0, 1\n" + entries);
+                                 "\nset rotating = yes\nset axis direction = 0, 0, 1\n" + entries);
   }
 
   /** A short cylinder, far stiffer than the bearings at its ends. */
@@ -45,7 +45,8 @@ namespace rotor_text
     return study(kind) + "subsection Model\nset bodies = shaft\nset constraints = " + constraints +
            "\nset probes = bottom, top\n" +
            shaft("0 60 100",
-                 "set cells around = 16\nset axial cell size = 15\nset radial cell size = 20\n" +
+                 "set elements around = 16\nset axial element size = 15\nset radial element size = "
+                 "20\n" +
                    body) +
            bearing("left", "z < 1", "set radial stiffness = 5000\n" + bearings) +
            bearing("right", "z > 59", "set radial stiffness = 5000\n" + bearings) +

@@ -25,7 +25,7 @@ namespace vfife
     one_point
   };
 
-  /** "incompatible modes", "full", "one point". */
+  /** "incompatible modes", "full integration", "reduced integration". */
   const Choices<StiffnessKind> &stiffness_choices();
 
   /** Isotropic D for strains (xx yy zz xy yz zx) with engineering shears [MPa]. */

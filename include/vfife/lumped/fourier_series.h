@@ -9,7 +9,7 @@ namespace vfife
 {
   /**
    * mean + sum over n = 1, 2... of cosine_n cos(2 pi n x) + sine_n sin(2 pi n x): something that
-   * repeats with every tooth mesh, x the position in tooth meshes.
+   * repeats with every mesh cycle, x the position in mesh cycles.
    */
   class FourierSeries
   {

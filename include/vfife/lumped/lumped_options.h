@@ -41,7 +41,7 @@ namespace vfife
     void check(const std::string &section) const;
   };
 
-  /** Where stiffness and transmission error over the tooth mesh come from. */
+  /** Where stiffness and transmission error over the mesh cycle come from. */
   enum class MeshSource
   {
     series,

@@ -19,13 +19,13 @@ namespace vfife
   {
     unsigned int settling_meshes = 400; ///< before anything is measured
     unsigned int measured_meshes = 60;
-    unsigned int samples         = 64;   ///< a tooth mesh
+    unsigned int samples         = 64;   ///< a mesh cycle
     double       tolerance       = 1e-9; ///< of a step, relative to the static deflection
 
     void declare(dealii::ParameterHandler &prm);
   };
 
-  /** What is left when a run at one speed has settled, over its measured tooth meshes. */
+  /** What is left when a run at one speed has settled, over its measured mesh cycles. */
   struct LumpedResponse
   {
     double       mean_error = 0; ///< of the DTE [rad]
@@ -48,7 +48,7 @@ namespace vfife
   public:
     LumpedSolver(const LumpedModel &model, const LumpedRunOptions &options);
 
-    /** A sample: time since the start of the measured part [s], position [tooth meshes], motion. */
+    /** A sample: time since the start of the measured part [s], position [mesh cycles], motion. */
     struct Sample
     {
       double          time, position;

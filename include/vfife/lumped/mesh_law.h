@@ -19,8 +19,8 @@ namespace vfife
   };
 
   /**
-   * The elastic torque of a tooth mesh on the gear [N mm] over the compression s [rad of the gear]
-   * and the position x [tooth meshes]:
+   * The elastic torque of a mesh cycle on the gear [N mm] over the compression s [rad of the gear]
+   * and the position x [mesh cycles]:
    *   M = k(x) s (k(x) s/T0)^(p(x) - 1),  s > 0;   0,  -b < s < 0;   -M(-(s + b)),  s < -b
    * with the secant stiffness k at the torque T0 and the backlash b (doc/theory/lumped.md).
    */
@@ -32,7 +32,7 @@ namespace vfife
     double        reference_torque = 1.; ///< T0 [N mm]
     double        backlash         = 0.; ///< b, rotation of the gear [rad]
 
-    /** From loaded_contact.csv, whose positions must divide a tooth mesh equally. Throws
+    /** From loaded_contact.csv, whose positions must divide a mesh cycle equally. Throws
      * InputError. */
     static MeshLaw from_table(const Table &table, const std::string &path, LoadLaw law);
 
@@ -41,7 +41,7 @@ namespace vfife
     double slope(double s, double x) const;
     /** Integral of M over s [mJ]. */
     double energy(double s, double x) const;
-    /** d energy/dx at constant s [mJ a tooth mesh]. */
+    /** d energy/dx at constant s [mJ a mesh cycle]. */
     double energy_slope(double s, double x) const;
     /** The compression under a positive torque [rad]. */
     double compression(double torque, double x) const;

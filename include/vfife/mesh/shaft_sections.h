@@ -27,7 +27,7 @@ namespace vfife
    */
   std::vector<ShaftSection> parse_shaft_sections(const std::string &text, const std::string &entry);
 
-  /** Declares the entries "axial cell size" and "radial cell size" [mm] of what is meshed by
+  /** Declares the entries "axial element size" and "radial element size" [mm] of what is meshed by
    * sections; @p where: along the axis, in words. Bound by address. */
   void declare_cell_sizes(dealii::ParameterHandler &prm,
                           double                   &axial,

@@ -15,7 +15,7 @@ namespace vfife
     double drive_work       = 0;
     double torque_work      = 0;
     double damping_loss     = 0;
-    /** Taken by the mesh damping, a speed controller: negative where it has given. */
+    /** Taken by the driven speed damping, a speed controller: negative where it has given. */
     double mesh_damping_uptake = 0;
     double contact_loss        = 0; ///< contact damping and friction
     double start               = 0; ///< kinetic + strain + contact at the start

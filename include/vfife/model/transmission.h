@@ -61,7 +61,7 @@ namespace vfife
     {
       return driver_rate * ratio() * rate_history.value(time);
     }
-    /** Tooth meshes per second at time zero [Hz]. */
+    /** Mesh cycles per second at time zero [Hz]. */
     double mesh_frequency() const
     {
       return std::abs(driver_rate) * driver_teeth / (2 * pi);
@@ -76,12 +76,12 @@ namespace vfife
     {
       return mesh_frequency() * largest_factor;
     }
-    /** Tooth meshes since time zero. */
+    /** Mesh cycles since time zero. */
     double meshes(const double time) const
     {
       return mesh_frequency() * rate_history.integral(time);
     }
-    /** The time at which so many tooth meshes have passed [s], negative for those before time zero,
+    /** The time at which so many mesh cycles have passed [s], negative for those before time zero,
      * when the rate was that of time zero. Throws InputError where the rate falls to zero before.
      */
     double time_of(const double meshes) const

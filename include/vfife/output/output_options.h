@@ -23,12 +23,13 @@ namespace vfife
   /** Section Output: how often which file is written. */
   struct OutputOptions
   {
-    /** Samples a tooth mesh; for models without a gear pair: steps between samples. */
+    /** Whether the case is a model without a gear pair: its histories count steps. */
+    bool of_model = false;
+    /** Samples per mesh cycle; of a model: steps per sample. */
     unsigned int history_every = 50;
-    /** Tooth meshes, also parts of one (for models without a gear pair: samples), between field
-     * files, 0: none. */
+    /** Mesh cycles (of a model: samples) between field files, 0: none. */
     double fields_every = 5;
-    /** Orders of the tooth mesh that are tracked where the speed changes, 0: none; and tooth meshes
+    /** Orders of the gear mesh that are tracked where the speed changes, 0: none; and mesh cycles
      * in a window. */
     unsigned int mesh_orders = 5, order_window = 8;
     /** Of gear pairs: nodal diameters whose waves of stress over the driven body's sectors are
@@ -41,6 +42,8 @@ namespace vfife
     Verbosity verbosity = Verbosity::normal;
 
     void declare(dealii::ParameterHandler &prm);
+    /** The name under which history_every is declared. */
+    std::string history_entry() const;
     /** Throws InputError when the entries contradict each other. */
     void check(const std::string &section) const;
     /** Throws InputError for waves of stress that are asked for, of a model without a gear pair. */

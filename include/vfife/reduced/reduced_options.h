@@ -21,7 +21,7 @@ namespace vfife
     std::string  store;                ///< folder in which reduced bodies are kept; empty: none
     bool         exports = false;      ///< whether their matrices are written
 
-    // Of sweeps over speed, tooth meshes at each of them:
+    // Of sweeps over speed, mesh cycles at each of them:
     unsigned int settling_meshes = 40; ///< before what is counted
     unsigned int counted_meshes  = 20;
 
@@ -35,7 +35,7 @@ namespace vfife
     /** The cut-off of the entry, or six orders of the mesh frequency and at least @p least [Hz]. */
     double find_cutoff(double mesh_frequency, double least) const;
 
-    /** Steps in a tooth mesh: a multiple of the @p samples of a history. */
+    /** Steps in a mesh cycle: a multiple of the @p samples of a history. */
     unsigned int find_steps(double mesh_frequency, double cutoff, unsigned int samples) const;
   };
 } // namespace vfife

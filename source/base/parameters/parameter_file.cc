@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/parameters/declared_section.h>
 #include <vfife/base/parameters/file_names.h>
+#include <vfife/base/parameters/former_names.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/failure.h>
@@ -78,7 +79,8 @@ namespace vfife
     /** Entries of earlier versions, and what to write instead. */
     const std::vector<std::pair<std::string, std::string>> former_entries = {
       {"penalty from step", "remove it: penalty is auto, or a number of N/mm^3"},
-      {"penalty fraction", "remove it: penalty is auto, or a number of N/mm^3"}};
+      {"penalty fraction", "remove it: penalty is auto, or a number of N/mm^3"},
+      {"regularization velocity", "remove it: friction sticks elastically"}};
 
     /**
      * Throws for an entry that is not declared in @p section, with the most helpful hint there is.
@@ -187,6 +189,7 @@ namespace vfife
         statements_.push_back(read_override(text));
         statements_.back().folder = std::filesystem::path(path).parent_path().string();
       }
+    former_names_ = replace_former_names(statements_);
   }
 
   // Both readers match statements with what is declared instead of handing the text to deal.II:

@@ -12,16 +12,20 @@ namespace vfife
 {
   namespace
   {
+    /** The unit of positions in tables of the previous version. */
+    constexpr char former_mesh_cycles[] = "tooth meshes";
+
     /** The numbers of a column, whose heading may state another unit. */
     std::vector<double>
     in_unit_of_reader(const Table::Column &column, const std::string &path, const std::string &unit)
     {
       std::vector<double> numbers = column.numbers;
-      if (column.unit == "-" || column.unit == unit)
+      if (column.unit == "-" || column.unit == unit ||
+          (unit == "mesh cycles" && column.unit == former_mesh_cycles))
         return numbers;
       try
         {
-          // Some columns have units that no entry has ("tooth meshes").
+          // Some columns have units that no entry has ("mesh cycles").
           const double factor = in_unit(parse_quantity("1 " + column.unit, unit), unit);
           for (double &number : numbers)
             number *= factor;

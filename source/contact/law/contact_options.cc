@@ -21,7 +21,7 @@ namespace vfife
   const Choices<ContactDiscretization> &contact_discretizations()
   {
     static const Choices<ContactDiscretization> choices = {
-      {"surface points", ContactDiscretization::surface_points},
+      {"Gauss points", ContactDiscretization::surface_points},
       {"two pass", ContactDiscretization::two_pass},
       {"nodes", ContactDiscretization::nodes}};
     return choices;
@@ -53,79 +53,79 @@ namespace vfife
                    "discretization",
                    discretization,
                    contact_discretizations(),
-                   "Where pressure is sampled: Gauss points of the slave's facets, the mean of "
-                   "both directions, or the corners of the slave's facets");
-    declare_choice(
-      prm,
-      "surface",
-      surface,
-      contact_surface_kinds(),
-      "What the facets stand for: the true surface by offsets and true normals, "
-      "quadratic patches with the nodal normals, or themselves; auto: the true flank of a gear, "
-      "patches of other bodies, flat facets of surfaces with edges");
+                   "Where contact pressure is evaluated: Gauss points of the slave facets; two "
+                   "pass: Gauss points of both surfaces, results averaged; nodes: corners of the "
+                   "slave facets");
+    declare_choice(prm,
+                   "surface",
+                   surface,
+                   contact_surface_kinds(),
+                   "Geometry of the contact surfaces. true flank: facets with offsets and "
+                   "normals of the exact flank; smooth patches: quadratic by nodal normals; flat "
+                   "facets; auto: true flank for gears, smooth patches for other bodies, flat "
+                   "facets where a surface has edges");
     declare_number_or_word(
       prm,
       "points per facet",
       points_per_facet,
       "auto",
-      "Gauss points of a facet per direction; auto: four across the width of Hertz's contact of a "
-      "gear pair (3 to 12), 3 in other models",
+      "Gauss points per facet and direction; auto: four across the Hertzian contact "
+      "width of a gear pair (3 to 12 points), 3 in other models",
       1,
       most_points);
     declare_choice(prm,
                    "integration",
                    time,
                    contact_times(),
-                   "Pressure of a step: its mean over the step by the gaps at both ends, which "
-                   "bears any penalty, or that of the gap before it");
+                   "Time integration of the contact pressure. implicit: mean over the step, "
+                   "stable for any penalty; explicit: pressure at the beginning of the step");
     penalty.declare(prm);
     declare_number(prm,
                    "damping ratio",
                    damping_ratio,
-                   "Gap-rate damping over the critical damping of a surface node on the penalty",
+                   "Damping of the gap rate: ratio to the critical damping of a surface node on "
+                   "the penalty stiffness",
                    Range::between(0., 1.));
     friction.declare(prm);
-    declare_quantity(prm,
-                     "regularization velocity",
-                     regularization_velocity,
-                     "mm/s",
-                     "No longer used: friction sticks elastically (tangential stiffness ratio); "
-                     "allowed for older files",
-                     Range::not_negative());
     declare_number(prm,
                    "edge fading",
                    edge_fading,
-                   "Part of a border facet of the master over which the pressure fades to zero",
+                   "Strip along the edge of the master surface over which the pressure falls to "
+                   "zero: part of a facet's width",
                    Range::between(0., 1.));
-    declare_quantity(
-      prm,
-      "edge relief width",
-      edge_relief_width,
-      "mm",
-      "Strip along the tip and end edges of both flanks over which they are relieved",
-      Range::not_negative());
+    declare_quantity(prm,
+                     "edge relief width",
+                     edge_relief_width,
+                     "mm",
+                     "Width of the relieved strip along the tip edge and the end edges of both "
+                     "flanks",
+                     Range::not_negative());
     declare_quantity(prm,
                      "edge relief depth",
                      edge_relief_depth,
                      "mm",
-                     "Relief at the edge, falling to 0 as a parabola over the width; 0: none",
+                     "Relief at the edge; it falls to 0 as a parabola over the edge relief width; "
+                     "0: no relief",
                      Range::not_negative());
     declare_quantity(prm,
-                     "search skin",
+                     "search tolerance",
                      search_skin,
                      "mm",
-                     "Motion after which the wide search is repeated; 0: a fifth of a facet",
+                     "Relative motion after which the global contact search is repeated; 0: a "
+                     "fifth of a facet's width",
                      Range::not_negative());
     declare_quantity(prm,
-                     "depth limit",
+                     "contact depth limit",
                      depth_limit,
                      "mm",
-                     "Deepest penetration that is taken for contact; 0: half a facet",
+                     "Largest penetration at which two facets count as in contact; 0: half a "
+                     "facet's width",
                      Range::not_negative());
     declare_number(prm,
-                   "penetration limit",
+                   "abort penetration ratio",
                    penetration_limit,
-                   "Penetration over the depth limit at which a run stops as failed; 1: never",
+                   "The run stops with an error at this ratio of penetration to contact depth "
+                   "limit; 1: never",
                    Range::between(1e-6, 1.));
   }
 
@@ -151,12 +151,11 @@ namespace vfife
     if (edge_relief_depth > steepest_edge_relief * edge_relief_width)
       throw InputError(entry("edge relief depth"), "must be at most a tenth of edge relief width");
     if (!(search_skin >= 0.))
-      throw InputError(entry("search skin"), "the skin must not be negative");
+      throw InputError(entry("search tolerance"), "the skin must not be negative");
     if (!(depth_limit >= 0.))
-      throw InputError(entry("depth limit"), "the depth limit must not be negative");
+      throw InputError(entry("contact depth limit"), "must not be negative");
     if (!(penetration_limit > 0. && penetration_limit <= 1.))
-      throw InputError(entry("penetration limit"),
-                       "the penetration limit must be positive and at most 1");
+      throw InputError(entry("abort penetration ratio"), "must be positive and at most 1");
   }
 
 

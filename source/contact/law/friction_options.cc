@@ -10,34 +10,35 @@ namespace vfife
                    "friction law",
                    law,
                    friction_laws(),
-                   "Whether friction is the same at all slip speeds v, or mu(v) = mu_k + (mu_s - "
-                   "mu_k) exp(-v/v_c)");
+                   "Coulomb: constant friction coefficient; exponential decay: mu(v) = mu_k + "
+                   "(mu_s - mu_k) exp(-v/v_c) with slip speed v");
     declare_number(prm,
                    "friction coefficient",
                    coefficient,
-                   "Coulomb friction; mu_k of exponential decay",
+                   "Friction coefficient; mu_k of the exponential decay",
                    Range::between(0., 2.));
     declare_quantity_or_word(prm,
                              "static friction coefficient",
                              static_coefficient,
                              "-",
                              "auto",
-                             "mu_s of exponential decay; auto: the friction coefficient");
+                             "mu_s of the exponential decay; auto: the friction coefficient");
     declare_quantity(prm,
                      "friction decay speed",
                      decay_speed,
                      "mm/s",
-                     "v_c of exponential decay",
+                     "v_c of the exponential decay",
                      Range::not_negative());
     declare_number(prm,
                    "tangential stiffness ratio",
                    stiffness_ratio,
-                   "Stiffness with which friction sticks, over the penalty",
+                   "Tangential stiffness of sticking contact: ratio to the penalty",
                    Range{0., 1., true});
     declare_number(prm,
                    "friction damping ratio",
                    damping_ratio,
-                   "Least damping ratio of a contact with friction, which excites vibrations",
+                   "Smallest damping ratio of a contact with friction, because friction excites "
+                   "vibrations",
                    Range::between(0., 1.));
   }
 

@@ -174,7 +174,7 @@ namespace vfife
           text << pair->definition.side << " side: " << place(from, point.slave_facet) << ", is "
                << 1e3 * -point.gap << " um deep in " << place(pressed, point.master_facet)
                << " (limit " << 1e3 * pair->penetration_limit()
-               << " um, Contact/penetration limit)";
+               << " um, Contact/abort penetration ratio)";
         }
     // ... then the rank that has the deepest of all.
     const std::vector<double>      all   = communicator_.all_gather(deepest);

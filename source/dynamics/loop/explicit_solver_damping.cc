@@ -73,8 +73,8 @@ namespace vfife
       }
     if (!model_.transmission)
       return;
-    // The mesh damping's torque takes from the swing what its power takes beyond that of the
-    // kinematic rotation: sum m slip . (v - omega_kinematic axis x r).
+    // The driven speed damping's torque takes from the swing what its power takes beyond that of
+    // the kinematic rotation: sum m slip . (v - omega_kinematic axis x r).
     const Transmission &t    = *model_.transmission;
     const Body         &body = model_.bodies[t.driven];
     const double        torque =

@@ -41,6 +41,6 @@ namespace vfife
     if (stability_watch_.exceeds(alternating_share_, alternating_energy_, 1.))
       throw NumericalError(
         "time step unstable " + describe_instant(state) +
-        ": a motion that alternates from step to step grows. Reduce Dynamics/safety");
+        ": a motion that alternates from step to step grows. Reduce Dynamics/time step factor");
   }
 } // namespace vfife

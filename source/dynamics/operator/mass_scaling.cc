@@ -77,7 +77,7 @@ namespace vfife
             text << "body \"" << body.name() << "\" would gain " << 100 * share
                  << " % of its mass, in " << gain.n_elements << " of its " << body.n_elements()
                  << " elements; allowed are " << 100 * options.largest_added_mass
-                 << " % (Dynamics/largest added mass): choose a smaller step or improve the mesh";
+                 << " % (Dynamics/maximum added mass): choose a smaller step or improve the mesh";
             throw InputError("Dynamics/mass scaling step", text.str());
           }
         log.line("mass scaling: ",

@@ -115,7 +115,7 @@ namespace vfife
     if (!std::isfinite(kinetic))
       throw NumericalError("NaN or infinite displacement " + describe_instant(now) + ": " +
                            describe_broken_element(model, last_measured, now) +
-                           ". Reduce Dynamics/safety or the contact penalty");
+                           ". Reduce Dynamics/time step factor or the contact penalty");
   }
 
   void check_penetration(const Model         &model,

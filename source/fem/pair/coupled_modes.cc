@@ -244,7 +244,7 @@ namespace vfife
     const FemSpace &d       = compliance.space();
     FemOptions      options = fem_options;
     if (centrifugal && degree_of(options.element) > 1)
-      throw InputError("Fem/element",
+      throw InputError("Fem/element type",
                        "coupled modes of a rotating pair require elements of eight nodes. Use "
                        "incompatible modes or centrifugal = no");
     options.eigen_solver = EigenSolverKind::shift_invert;

@@ -386,7 +386,7 @@ namespace vfife
     std::ostringstream text;
     text << "bearings displace the flanks by " << apart
          << " mm relative to each other, more than the search range of contact (" << limit
-         << " mm, Contact/depth limit). Use stiffer bearings or a smaller torque";
+         << " mm, Contact/contact depth limit). Use stiffer bearings or a smaller torque";
     return text.str();
   }
 } // namespace vfife

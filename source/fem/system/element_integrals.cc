@@ -149,7 +149,7 @@ namespace vfife
   {
     static const Choices<FemElement> choices = {{"incompatible modes",
                                                  FemElement::incompatible_modes},
-                                                {"full", FemElement::full},
+                                                {"full integration", FemElement::full},
                                                 {"quadratic", FemElement::quadratic},
                                                 {"cubic", FemElement::cubic}};
     return choices;

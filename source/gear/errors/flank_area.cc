@@ -9,12 +9,13 @@ namespace vfife
     declare_number(prm,
                    "lengthwise margin",
                    lengthwise,
-                   "Distance of the grid from toe and heel over the face width",
+                   "Margin of the grid at toe and heel, as a part of the face width",
                    Range::between(0., 0.4));
     declare_number(prm,
                    "profile margin",
                    profile,
-                   "Distance of the grid from tip and start of the flank over the flank's height",
+                   "Margin of the grid at tip and start of the flank, as a part of the flank's "
+                   "height",
                    Range::between(0., 0.4));
   }
 

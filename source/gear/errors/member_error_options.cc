@@ -144,47 +144,52 @@ namespace vfife
     declare_text(prm,
                  "single pitch deviations",
                  pitch_list,
-                 "Of the flanks of teeth 0, 1, ... against those before them, as many as teeth, "
-                 "separated by commas; > 0 is metal on the flank [um]");
-    declare_file_name(prm,
-                      "pitch table",
-                      pitch_table,
-                      "Table with the columns \"tooth\" and \"single pitch deviation [um]\" or "
-                      "\"cumulative pitch deviation [um]\"");
-    declare_quantity(prm,
-                     "pitch amplitude",
-                     pitch_amplitude,
-                     "um",
-                     "Of cumulative pitch deviations that are a cosine over the teeth");
-    declare_integer(prm, "pitch order", pitch_order, "Periods of the cosine in a revolution", 1);
-    declare_quantity(prm, "pitch phase", pitch_phase, "deg", "Of the cosine at tooth 0, lagging");
+                 "Single pitch deviations: position of each flank, tooth 0, 1, ..., against "
+                 "the one before it; positive is additional metal; one value per tooth, "
+                 "separated by commas [um]");
+    declare_file_name(
+      prm,
+      "pitch table",
+      pitch_table,
+      "Table file with the columns \"tooth\" and \"single pitch deviation [um]\" or "
+      "\"cumulative pitch deviation [um]\"");
+    declare_quantity(
+      prm,
+      "pitch amplitude",
+      pitch_amplitude,
+      "um",
+      "Amplitude of cumulative pitch deviations that follow a cosine over the teeth");
+    declare_integer(prm, "pitch order", pitch_order, "Periods of this cosine per revolution", 1);
+    declare_quantity(prm, "pitch phase", pitch_phase, "deg", "Phase lag of this cosine at tooth 0");
     declare_file_name(prm,
                       "topography",
                       topography,
-                      "Grid of deviations normal to the flank, > 0 is metal [um]: rows from tip to "
-                      "root, columns from toe to heel");
+                      "Grid file of deviations normal to the flank, positive is additional metal "
+                      "[um]: rows from tip to root, columns from toe to heel");
     declare_number_list(prm,
                         "topography teeth",
                         topography_teeth,
-                        "Numbers of the teeth that have the grid; empty: all",
+                        "Teeth that have this grid; empty: all teeth",
                         ListNumbers::whole);
     margins.declare(prm);
     const auto term = [&](const char *name, double &value, const char *meaning) {
       declare_quantity(prm, name, value, "um", meaning);
     };
-    term("pressure angle",
+    term("profile slope",
          terms.pressure_angle,
-         "Slope over the height of the flank: metal of the tip over that of the root");
-    term("spiral angle",
+         "Profile slope deviation: metal at the tip minus metal at the root");
+    term("lengthwise slope",
          terms.spiral_angle,
-         "Slope over the face width: metal of the heel over that of the toe");
+         "Lengthwise slope deviation: metal at the heel minus metal at the toe");
     term("profile crowning",
          terms.profile_crowning,
-         "Parabolic relief of tip and root against the middle of the flank");
+         "Parabolic relief at tip and root relative to the middle of the flank");
     term("lengthwise crowning",
          terms.lengthwise_crowning,
-         "Parabolic relief of toe and heel against the middle of the flank");
-    term("bias", terms.bias, "Slope over the face width at the tip less that at the root");
+         "Parabolic relief at toe and heel relative to the middle of the flank");
+    term("bias",
+         terms.bias,
+         "Bias: lengthwise slope at the tip minus lengthwise slope at the root");
   }
 
   std::vector<double> FlankErrorOptions::read_pitch(const std::string &section,
@@ -245,29 +250,31 @@ namespace vfife
   void MemberErrorOptions::declare(dealii::ParameterHandler &prm)
   {
     declare_quantity(prm,
-                     "eccentricity",
+                     "radial runout amplitude",
                      eccentricity,
                      "um",
-                     "Distance of the toothing's axis from the axis of rotation: half the runout",
+                     "Distance between the axis of the teeth and the axis of rotation: half the "
+                     "total radial runout",
                      Range::not_negative());
     declare_quantity(prm,
-                     "eccentricity direction",
+                     "radial runout direction",
                      eccentricity_direction,
                      "deg",
-                     "In which the toothing is displaced, from tooth 0 about + the body's axis");
+                     "Direction in which the axis of the teeth is displaced: angle from tooth 0, "
+                     "positive about the body's axis");
     declare_quantity(prm,
-                     "wobble",
+                     "axial runout amplitude",
                      wobble,
                      "um",
-                     "Largest axial displacement of the mean pitch circle by the tilt of the "
-                     "toothing's axis: half the axial runout",
+                     "Amplitude of the axial displacement of the mean pitch circle, caused by a "
+                     "tilted axis of the teeth: half the total axial runout",
                      Range::not_negative());
     declare_quantity(prm,
-                     "wobble direction",
+                     "axial runout direction",
                      wobble_direction,
                      "deg",
-                     "Where the pitch circle is displaced away from the apex, from tooth 0 about + "
-                     "the body's axis");
+                     "Position of the largest displacement away from the apex: angle from tooth 0, "
+                     "positive about the body's axis");
     declare_section(prm, "Concave flank", concave);
     declare_section(prm, "Convex flank", convex);
   }

@@ -21,8 +21,8 @@ namespace vfife
 
   void MeasuringGrid::declare(dealii::ParameterHandler &prm)
   {
-    declare_integer(prm, "rows", rows, "Points from tip to root", 2, 1000);
-    declare_integer(prm, "columns", columns, "Points from toe to heel", 2, 1000);
+    declare_integer(prm, "rows", rows, "Grid points from tip to root", 2, 1000);
+    declare_integer(prm, "columns", columns, "Grid points from toe to heel", 2, 1000);
     margins.declare(prm);
   }
 

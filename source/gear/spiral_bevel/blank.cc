@@ -46,7 +46,7 @@ namespace vfife
   void Blank::declare(dealii::ParameterHandler &prm)
   {
     declare_integer(prm, "number of teeth", teeth, "Number of teeth; 0: not given");
-    declare_choice(prm, "hand of spiral", hand, hand_choices(), "Hand of the spiral");
+    declare_choice(prm, "hand of spiral", hand, hand_choices(), "Hand of spiral");
     const auto declare_angle = [&](const char *name, double &angle, const char *meaning) {
       declare_quantity(prm, name, angle, "deg", meaning, Range::between(0., 90.));
     };
@@ -64,9 +64,7 @@ namespace vfife
     declare_length("outer cone distance",
                    outer_cone_distance,
                    "Pitch apex to the heel along the pitch cone; 0: not given");
-    declare_length("face width",
-                   face_width,
-                   "Length of the teeth along the pitch cone; 0: not given");
+    declare_length("face width", face_width, "Face width along the pitch cone; 0: not given");
     declare_length("mean addendum",
                    mean_addendum,
                    "Tip over the pitch cone at the mean cone distance; 0: not given");
@@ -75,8 +73,8 @@ namespace vfife
                    "Root under the pitch cone at the mean cone distance; 0: not given");
     declare_angle("mean spiral angle",
                   spiral_angle,
-                  "Spiral angle at the mean cone distance; compared with what the machine settings "
-                  "cut; 0: not given");
+                  "Mean spiral angle, compared with the one that the machine settings generate; "
+                  "0: not given");
   }
 
   void Blank::examine(const std::string &section, Findings &findings) const

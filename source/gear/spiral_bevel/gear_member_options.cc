@@ -72,7 +72,7 @@ namespace vfife
                      "cutter diameter",
                      cutter_diameter,
                      "mm",
-                     "Sum of the outside and the inside point radius, nominally; 0: not given",
+                     "Nominal sum of outside and inside point radius; 0: not given",
                      Range::not_negative());
     declare_section(prm, "Blank", blank);
     {
@@ -81,8 +81,8 @@ namespace vfife
                        "point width",
                        point_width,
                        "mm",
-                       "Outside less inside point radius, with the cutter diameter in place of "
-                       "point radii; 0: not given",
+                       "Point width: outside minus inside point radius, given together with the "
+                       "cutter diameter instead of point radii; 0: not given",
                        Range::not_negative());
       both.declare_shared(prm);
     }

@@ -12,19 +12,15 @@ namespace vfife
     declare_section(prm, "Gear", gear);
     {
       Subsection subsection(prm, "Mounting");
-      declare_quantity(prm,
-                       "shaft angle",
-                       shaft_angle,
-                       "deg",
-                       "Angle between the axes of the pair as designed",
-                       Range::between(20., 140.));
       declare_quantity(
-        prm,
-        "backlash",
-        backlash,
-        "mm",
-        "Normal backlash at the mean point; set by the thickness of the pinion's teeth",
-        Range::not_negative());
+        prm, "shaft angle", shaft_angle, "deg", "Nominal shaft angle", Range::between(20., 140.));
+      declare_quantity(prm,
+                       "backlash",
+                       backlash,
+                       "mm",
+                       "Normal backlash at the mean point; the program adjusts the pinion's tooth "
+                       "thickness to it",
+                       Range::not_negative());
       declare_quantity(prm,
                        "pinion axial shift",
                        pinion_axial_shift,

@@ -69,14 +69,13 @@ namespace vfife
 
   void MachineSettings::declare(dealii::ParameterHandler &prm)
   {
-    declare_quantity(
-      prm,
-      "point radius",
-      point_radius,
-      "mm",
-      "Cutter radius at the blade tip; 0: derived from the cutter diameter and the other "
-      "flank (spread blade)",
-      Range::not_negative());
+    declare_quantity(prm,
+                     "point radius",
+                     point_radius,
+                     "mm",
+                     "Point radius: cutter radius at the blade tip; 0: from the cutter diameter "
+                     "and the other flank (spread blade)",
+                     Range::not_negative());
     declare_shared(prm);
   }
 
@@ -86,53 +85,55 @@ namespace vfife
                      "blade angle",
                      blade_angle,
                      "deg",
-                     "Angle of the blade to the cutter axis; 0: not given",
+                     "Blade angle to the cutter axis; 0: not given",
                      Range::between(0., 60.));
     declare_quantity(prm,
                      "blade edge radius",
                      edge_radius,
                      "mm",
-                     "Rounding of the blade tip, which cuts the fillet; 0: not given",
+                     "Edge radius of the blade tip, which generates the fillet; 0: not given",
                      Range::not_negative());
     declare_quantity(prm,
                      "radial distance",
                      radial_distance,
                      "mm",
-                     "Distance of the cutter axis from the cradle axis; 0: not given",
+                     "Radial distance between cutter axis and cradle axis; 0: not given",
                      Range::not_negative());
-    declare_quantity(
-      prm,
-      "cradle angle",
-      cradle_angle,
-      "deg",
-      "Position of the cutter on the cradle; positive for a left-hand, negative for a "
-      "right-hand member; 0: not given",
-      Range::between(-180., 180.));
+    declare_quantity(prm,
+                     "cradle angle",
+                     cradle_angle,
+                     "deg",
+                     "Cradle angle of the cutter; positive for a left-hand, negative for a "
+                     "right-hand member; 0: not given",
+                     Range::between(-180., 180.));
     declare_quantity(prm,
                      "blank offset",
                      blank_offset,
                      "mm",
-                     "Offset of the blank axis from the cradle axis, along +y of the machine");
+                     "Blank offset: distance of the blank axis from the cradle axis, along +y of "
+                     "the machine");
     declare_quantity(prm,
                      "sliding base",
                      sliding_base,
                      "mm",
-                     "Positive values withdraw the blank from the cutter");
+                     "Sliding base; positive values withdraw the blank from the cutter");
     declare_quantity(prm,
                      "machine center to back",
                      machine_center_to_back,
                      "mm",
-                     "Positive values withdraw the blank along its own axis");
+                     "Machine center to back; positive values withdraw the blank along its own "
+                     "axis");
     declare_quantity(prm,
                      "machine root angle",
                      machine_root_angle,
                      "deg",
-                     "Angle of the blank axis to the machine plane; 0: not given",
+                     "Machine root angle: angle between blank axis and machine plane; 0: not given",
                      Range::between(0., 90.));
     declare_number(prm,
                    "ratio of roll",
                    ratio_of_roll,
-                   "Rotation of the blank over rotation of the cradle; 0: derived",
+                   "Ratio of roll: rotation of the blank divided by rotation of the cradle; 0: "
+                   "derived",
                    Range::not_negative());
     declare_number(prm,
                    "modified roll second order",
@@ -146,14 +147,14 @@ namespace vfife
                      "cutter tilt",
                      cutter_tilt,
                      "deg",
-                     "Angle of the cutter axis to the cradle axis",
+                     "Tilt angle between cutter axis and cradle axis",
                      Range::between(-45., 45.));
     declare_quantity(prm,
                      "cutter swivel",
                      cutter_swivel,
                      "deg",
-                     "The tilt turns about the direction from the cradle axis to the cutter axis, "
-                     "turned by this angle",
+                     "Swivel angle: direction of the tilt axis, measured from the line between "
+                     "cradle axis and cutter axis",
                      Range::between(-180., 180.));
   }
 

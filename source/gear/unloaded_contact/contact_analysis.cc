@@ -201,16 +201,19 @@ namespace vfife
                      "um",
                      "Gap between the flanks at the border of the contact ellipses",
                      Range::positive());
-    declare_integer(
-      prm, "points per pitch", points_per_pitch, "Points of path and curves", 4, 10000);
-    declare_integer(
-      prm,
-      "tooth meshes",
-      meshes,
-      "Over which the transmission error is followed where errors make teeth unequal; "
-      "0: a turn of the gear",
-      0,
-      100000);
+    declare_integer(prm,
+                    "points per pitch",
+                    points_per_pitch,
+                    "Points per pitch on path of contact and curves",
+                    4,
+                    10000);
+    declare_integer(prm,
+                    "mesh cycles",
+                    meshes,
+                    "Number of mesh cycles, where tooth deviations make the teeth unequal; 0: one "
+                    "revolution of the gear",
+                    0,
+                    100000);
     declare_driving(prm, driving, direction);
   }
 

@@ -59,7 +59,7 @@ namespace vfife
                                const unsigned int            meshes)
   {
     Table table;
-    table.add_column("tooth meshes", "-");
+    table.add_column("mesh cycles", "-");
     table.add_column("driver angle", "deg");
     table.add_column("transmission error", "arcsec");
     table.add_column("pinion tooth", "-");

@@ -6,10 +6,10 @@ namespace vfife
 {
   namespace
   {
-    const Choices<WebKind>       web_kinds       = {{"none", WebKind::none},
-                                                    {"conical", WebKind::conical},
+    const Choices<WebKind>       web_kinds       = {{"rim only", WebKind::none},
+                                                    {"conical web", WebKind::conical},
                                                     {"solid", WebKind::solid}};
-    const Choices<WebDirection>  web_directions  = {{"as it fits", WebDirection::fitting},
+    const Choices<WebDirection>  web_directions  = {{"auto", WebDirection::fitting},
                                                     {"towards apex", WebDirection::apex},
                                                     {"towards back", WebDirection::back}};
     const Choices<WebAttachment> web_attachments = {{"toe", WebAttachment::toe},
@@ -24,73 +24,77 @@ namespace vfife
   {
     {
       const Subsection section(prm, "Body");
-      declare_choice(
-        prm, "web", web, web_kinds, "What carries the rim; none: its underside is held");
+      declare_choice(prm,
+                     "body type",
+                     web,
+                     web_kinds,
+                     "Type of the body. rim only: the underside of the rim is fixed to the axis; "
+                     "conical web: rim, web and hub; solid: down to the bore");
       declare_quantity(
         prm,
         "web thickness",
         web_thickness,
         "mm",
-        "Thickness of the web, normal to it; 0, as of the other sizes: in proportion to the "
-        "blank, as that of the pair 27/79 (1.587 modules)",
+        "Web thickness, normal to the web; 0: in proportion to the pair 27/79 (1.587 "
+        "modules), likewise for the other sizes",
         Range::not_negative());
       declare_quantity(prm,
-                       "web angle",
+                       "web inclination",
                        web_angle,
                        "deg",
-                       "Support angle: mid-surface generatrix of the web to the axis",
+                       "Support angle: angle between the web's mid-surface and the axis",
                        Range::between(0., 90.));
-      declare_choice(
-        prm,
-        "web direction",
-        web_direction,
-        web_directions,
-        "Where the web goes from the rim inward; as it fits: towards the back where such "
-        "a web leaves the rim at 15 deg or more, otherwise towards the apex");
-      declare_choice(
-        prm, "web attachment", web_attachment, web_attachments, "Where the web leaves the rim");
+      declare_choice(prm,
+                     "web direction",
+                     web_direction,
+                     web_directions,
+                     "Direction of the web from the rim inward. auto: towards the back if the web "
+                     "then meets the rim at 15 deg or more, otherwise towards the apex");
+      declare_choice(prm,
+                     "web attachment",
+                     web_attachment,
+                     web_attachments,
+                     "Place where the web joins the rim");
       declare_quantity(prm,
                        "rim thickness",
                        rim_thickness,
                        "mm",
-                       "Metal under the root of a rim; 0: 2.7 modules",
+                       "Rim thickness under the tooth root; 0: 2.7 modules",
                        Range::not_negative());
       declare_quantity(prm,
                        "rim fillet radius",
                        rim_fillet_radius,
                        "mm",
-                       "Radius between the faces of the web and the rim; 0: sharp corners",
+                       "Fillet radius between web and rim; 0: sharp corners",
                        Range::not_negative());
       declare_quantity(prm,
                        "hub fillet radius",
                        hub_fillet_radius,
                        "mm",
-                       "Radius between the faces of the web and the hub; 0: sharp corners",
+                       "Fillet radius between web and hub; 0: sharp corners",
                        Range::not_negative());
-      declare_quantity(
-        prm,
-        "hub radius",
-        hub_radius,
-        "mm",
-        "Outer radius of the hub ring that carries the web; 0: 0.632 of the root's radius at "
-        "the toe",
-        Range::not_negative());
+      declare_quantity(prm,
+                       "hub radius",
+                       hub_radius,
+                       "mm",
+                       "Outer radius of the hub; 0: 0.632 of the root radius at the toe",
+                       Range::not_negative());
       declare_quantity(
         prm,
         "bore radius",
         bore_radius,
         "mm",
-        "Radius of the bore of hub or solid body; 0: 5/6 of the hub radius, 0.64 of the "
-        "root's radius at the toe of a solid body",
+        "Radius of the bore; 0: 5/6 of the hub radius, or 0.64 of the root radius at "
+        "the toe for a solid body",
         Range::not_negative());
-      declare_quantity(
-        prm,
-        "hub length",
-        hub_length,
-        "mm",
-        "Length of the hub ring along the axis, centred on the web; 0: 0.379 of the root's "
-        "radius at the toe, or 1.2 of the web's foot on it if that is more",
-        Range::not_negative());
+      declare_quantity(prm,
+                       "hub length",
+                       hub_length,
+                       "mm",
+                       "Length of the hub along the axis, centred on the web; 0: 0.379 of the root "
+                       "radius at the toe, or 1.2 of the web's axial width at the hub if that is "
+                       "larger",
+                       Range::not_negative());
     }
     declare_counts(prm);
     shaft.declare(prm);
@@ -103,36 +107,52 @@ namespace vfife
                      "element size",
                      element_size,
                      "mm",
-                     "Target length of edges; 0: as the numbers of cells below say, else these "
-                     "follow from the size",
+                     "Target edge length of elements; 0: given by the numbers of elements below. "
+                     "With a size, these numbers follow from it unless they are set",
                      Range::not_negative());
-    declare_integer(prm, "cells lengthwise", cells_lengthwise, "Cells along the face width", 1);
+    declare_integer(
+      prm, "elements along face width", cells_lengthwise, "Elements along the face width", 1);
     declare_integer(prm,
-                    "cells across tooth",
+                    "elements across tooth",
                     cells_across,
-                    "Cells from flank to flank; 2, 5, 8 let the web be coarser than the teeth",
+                    "Elements across the tooth; use 2, 5, 8, ... if the web mesh shall be coarser "
+                    "than the tooth mesh",
                     2);
-    declare_integer(prm, "flank rows", flank_rows, "Cells from flank start to tip", 1);
-    declare_integer(
-      prm, "rim rows", rim_rows, "Cells from root to underside, or to the bore of a solid body", 1);
-    declare_integer(prm, "web layers", web_layers, "Cells through the thickness of the web", 1);
-    declare_integer(
-      prm, "web rows", web_rows, "Cells along the web, the coarsening row included", 2);
     declare_integer(prm,
-                    "fillet rows",
-                    fillet_rows,
-                    "Cells along each fillet of the web, besides the web rows",
+                    "elements along profile",
+                    flank_rows,
+                    "Elements along the profile from the start of the flank to the tip",
                     1);
-    declare_integer(prm, "hub rows", hub_rows, "Cells from hub radius to bore", 1);
     declare_integer(prm,
-                    "hub side cells",
+                    "elements through rim",
+                    rim_rows,
+                    "Elements through the rim from the root to its underside (solid body: to the "
+                    "bore)",
+                    1);
+    declare_integer(
+      prm, "elements through web", web_layers, "Elements through the thickness of the web", 1);
+    declare_integer(prm,
+                    "elements along web",
+                    web_rows,
+                    "Elements along the web, including the transition row",
+                    2);
+    declare_integer(prm,
+                    "elements along web fillet",
+                    fillet_rows,
+                    "Elements along each fillet of the web, in addition to those along the web",
+                    1);
+    declare_integer(
+      prm, "elements through hub", hub_rows, "Elements from the hub's outer radius to the bore", 1);
+    declare_integer(prm,
+                    "elements beside web",
                     hub_side_cells,
-                    "Cells of the hub along the axis on either side of the web",
+                    "Elements of the hub along the axis on each side of the web",
                     1);
     declare_integer(prm,
                     "refinements",
                     refinements,
-                    "Times that every cell is divided into eight, new nodes on the true surfaces",
+                    "Number of times that each element is divided into eight; new nodes lie on "
+                    "the exact surfaces",
                     0,
                     3);
     declare_gradings(prm);
@@ -143,22 +163,22 @@ namespace vfife
     declare_number(prm,
                    "grading towards fillet",
                    grading_towards_fillet,
-                   "Height of the flank row at the tip over that at the fillet, and of the rim row "
-                   "at the bore or underside over that at the root (not with a web at the toe); "
-                   "1: equal rows",
+                   "Growth of elements away from the fillet: height at the tip (in the rim: at "
+                   "the bore or underside) divided by height at the fillet; 1: equal heights; in "
+                   "the rim not with a web at the toe",
                    Range::between(1. / largest_grading, largest_grading));
     declare_number(prm,
                    "grading towards flank",
                    grading_towards_flank,
-                   "Width of the columns in the middle of the tooth over that at the flanks; 1: "
-                   "equal columns",
+                   "Growth of elements away from the flanks: width in the middle of the tooth "
+                   "divided by width at the flanks; 1: equal widths",
                    Range::between(1. / largest_grading, largest_grading));
     declare_number(prm,
                    "fillet corner",
                    fillet_corner,
-                   "Place in the fillet where the mesh blocks of tooth, rim and root land meet: "
-                   "fraction of the fillet's arc, from its bottom. Cells are the most distorted "
-                   "there: keep it away from the largest root stress",
+                   "Point of the fillet where the mesh blocks of tooth, rim and root land meet: "
+                   "part of the fillet's arc, from its bottom. Elements are most distorted "
+                   "there; keep it away from the largest root stress",
                    Range::between(.2, .9));
   }
 

@@ -59,21 +59,21 @@ namespace vfife
                         std::to_string(count) + " is too small, expected at least " +
                           std::to_string(least));
         };
-      at_least("cells lengthwise", options.cells_lengthwise, 1);
-      at_least("cells across tooth", options.cells_across, 2);
-      at_least("flank rows", options.flank_rows, 1);
-      at_least("rim rows", options.rim_rows, 1);
+      at_least("elements along face width", options.cells_lengthwise, 1);
+      at_least("elements across tooth", options.cells_across, 2);
+      at_least("elements along profile", options.flank_rows, 1);
+      at_least("elements through rim", options.rim_rows, 1);
       if (options.web != WebKind::conical)
         return;
-      at_least("web layers", options.web_layers, 1);
-      at_least("web rows", options.web_rows, 2);
-      at_least("hub rows", options.hub_rows, 1);
-      at_least("hub side cells", options.hub_side_cells, 1);
-      at_least("fillet rows", options.fillet_rows, 1);
+      at_least("elements through web", options.web_layers, 1);
+      at_least("elements along web", options.web_rows, 2);
+      at_least("elements through hub", options.hub_rows, 1);
+      at_least("elements beside web", options.hub_side_cells, 1);
+      at_least("elements along web fillet", options.fillet_rows, 1);
       if (options.web_attachment == WebAttachment::toe)
-        at_least("rim rows", options.rim_rows, options.web_layers + 2);
+        at_least("elements through rim", options.rim_rows, options.web_layers + 2);
       else
-        at_least("cells lengthwise", options.cells_lengthwise, options.web_layers + 2);
+        at_least("elements along face width", options.cells_lengthwise, options.web_layers + 2);
     }
 
     const char *direction_words(const WebDirection direction)
@@ -129,9 +129,9 @@ namespace vfife
       refuse.unless(options.web_thickness > 0.,
                     "Body/web thickness",
                     "must be positive, not " + millimetres(options.web_thickness) +
-                      " (choose web = none for a rim without web)");
+                      " (choose body type = rim only for a rim without web)");
       refuse.unless(options.web_angle > 0. && options.web_angle <= pi / 2,
-                    "Body/web angle",
+                    "Body/web inclination",
                     "must lie above 0 and not above 90 deg");
       refuse.unless(options.hub_radius > options.bore_radius,
                     "Body/bore radius",
@@ -140,7 +140,7 @@ namespace vfife
       // the web must leave its wall at an angle
       const bool at_toe = options.web_attachment == WebAttachment::toe;
       refuse.unless(ConicalWeb::leaves_wall(blank, options),
-                    at_toe ? "Body/web angle" : "Body/web attachment",
+                    at_toe ? "Body/web inclination" : "Body/web attachment",
                     describe_turn(options, blank));
 
       // its foot must fit on the wall: the depth of the rim at the toe, the underside elsewhere
@@ -184,10 +184,10 @@ namespace vfife
   {
     const Refusal refuse(section);
     shaft.check(section + "/Shaft");
-    refuse.unless(
-      !shaft.present() || web != WebKind::none,
-      "Shaft/sections",
-      "a shaft requires web = conical or solid, because a body with web = none has no bore");
+    refuse.unless(!shaft.present() || web != WebKind::none,
+                  "Shaft/sections",
+                  "a shaft requires body type = conical web or solid, because a body with rim only "
+                  "has no bore");
     if (shaft.present())
       {
         GearBodyOptions bare = *this;

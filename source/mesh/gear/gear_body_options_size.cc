@@ -51,10 +51,9 @@ namespace vfife
       [&pinion, &gear](const unsigned int chosen) {
         pinion.edge_in_modules = gear.edge_in_modules = edges[chosen].second;
       },
-      "Cells of both bodies where a member states no element size: as its numbers of cells say, or "
-      "edges of about two thirds of the outer transverse module, 0.45 and 0.3 modules. A coarse "
-      "mesh "
-      "has a mean transmission error within some 2 %");
+      "Mesh density of both bodies. coarse, medium, fine: edge lengths of about "
+      "0.67, 0.45 and 0.3 outer transverse modules; by members: from the Mesh "
+      "sections of the members. An element size of a member has precedence");
   }
 
   void GearBodyOptions::leave_sizes_open()

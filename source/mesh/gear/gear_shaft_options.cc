@@ -52,9 +52,9 @@ namespace vfife
     declare_text(prm,
                  "sections",
                  text,
-                 "Sections of a hollow shaft of one piece with the body, along its axis from the "
-                 "apex and separated by commas: FROM TO OUTER INNER, places and diameters in mm; "
-                 "one goes through the hub and fills its bore; empty: no shaft");
+                 "Shaft in one piece with the body: sections FROM TO OUTER INNER along the "
+                 "axis from the apex, separated by commas; places and diameters in mm. One "
+                 "section passes through the hub and fills its bore; empty: no shaft");
     declare_cell_sizes(prm, axial_cell_size, radial_cell_size, ", beyond the hub");
   }
 

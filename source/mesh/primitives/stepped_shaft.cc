@@ -153,12 +153,12 @@ namespace vfife
     declare_text(prm,
                  "sections",
                  text,
-                 "Sections along z, separated by commas: FROM TO OUTER [INNER], places and "
-                 "diameters in mm; without an inner diameter the section is solid");
+                 "Sections along z, separated by commas: FROM TO OUTER [INNER]; places and "
+                 "diameters in mm. A section without an inner diameter is solid");
     declare_integer(prm,
-                    "cells around",
+                    "elements around",
                     around,
-                    "Cells around the axis, a multiple of 8 where a section is solid",
+                    "Elements around the axis; a multiple of 8 where a section is solid",
                     8,
                     4096);
     declare_cell_sizes(prm, axial_cell_size, radial_cell_size);
@@ -175,7 +175,7 @@ namespace vfife
     const bool                      solid =
       std::any_of(all.begin(), all.end(), [](const ShaftSection &s) { return s.inner == 0; });
     if (solid && around % 8 != 0)
-      throw InputError(section + "/cells around",
+      throw InputError(section + "/elements around",
                        "expected a multiple of 8 for the core of a solid section, got " +
                          std::to_string(around));
     double n_cells = 0;

@@ -71,18 +71,26 @@ namespace vfife
   void SeatOptions::declare(dealii::ParameterHandler &prm)
   {
     const Range range = Range::not_negative();
+    declare_quantity(prm,
+                     "radial damping",
+                     radial_damping,
+                     "N s/mm",
+                     "Coefficient along x and y, across the axis",
+                     range);
     declare_quantity(
-      prm, "radial damping", radial_damping, "N s/mm", "Along x and y, across the axis", range);
-    declare_quantity(prm, "axial damping", axial_damping, "N s/mm", "Along the axis", range);
-    declare_quantity(
-      prm, "tilting damping", tilting_damping, "N mm s/rad", "Against tilts about x and y", range);
-    declare_vector(
-      prm,
-      "x direction",
-      x_direction,
-      "-",
-      "Direction of x in the fixed frame, made square to the axis; 0, 0, 0: any, which "
-      "is enough for a bearing that is alike all around");
+      prm, "axial damping", axial_damping, "N s/mm", "Coefficient along the axis", range);
+    declare_quantity(prm,
+                     "tilting damping",
+                     tilting_damping,
+                     "N mm s/rad",
+                     "Coefficient against tilts about x and y",
+                     range);
+    declare_vector(prm,
+                   "x direction",
+                   x_direction,
+                   "-",
+                   "Direction of x in the fixed frame, projected normal to the axis; 0, 0, 0: "
+                   "arbitrary, sufficient for an axisymmetric bearing");
   }
 
   Matrix5 SeatOptions::damping() const
@@ -100,14 +108,19 @@ namespace vfife
   void BearingOptions::declare(dealii::ParameterHandler &prm)
   {
     const Range range = Range::not_negative();
+    declare_quantity(prm,
+                     "radial stiffness",
+                     radial_stiffness,
+                     "N/mm",
+                     "Coefficient along x and y, across the axis",
+                     range);
     declare_quantity(
-      prm, "radial stiffness", radial_stiffness, "N/mm", "Along x and y, across the axis", range);
-    declare_quantity(prm, "axial stiffness", axial_stiffness, "N/mm", "Along the axis", range);
+      prm, "axial stiffness", axial_stiffness, "N/mm", "Coefficient along the axis", range);
     declare_quantity(prm,
                      "tilting stiffness",
                      tilting_stiffness,
                      "N mm/rad",
-                     "Against tilts about x and y",
+                     "Coefficient against tilts about x and y",
                      range);
     seat.declare(prm);
     declare_text(prm,
@@ -118,11 +131,8 @@ namespace vfife
                  "damping matrix",
                  damping_matrix,
                  std::string("Instead of the three dampings: ") + matrix_form + ", per second");
-    declare_vector(prm,
-                   "preload",
-                   preload,
-                   "N",
-                   "Force on the shaft along x, y, z of the bearing where it is not displaced");
+    declare_vector(
+      prm, "preload", preload, "N", "Force on the undisplaced shaft along x, y, z of the bearing");
   }
 
   void BearingOptions::check(const std::string &section) const
@@ -168,69 +178,77 @@ namespace vfife
                    "element",
                    data.element,
                    elements,
-                   "Balls (deep groove, or angular contact with a contact angle) or rollers "
-                   "(cylindrical, or tapered with a contact angle)");
+                   "Type of rolling element: ball (deep groove; angular contact if there is a "
+                   "contact angle) or roller (cylindrical; tapered if there is a contact angle)");
     declare_integer(prm, "number of elements", data.n, "In one row", 0, 10000);
     declare_quantity(prm,
                      "element diameter",
                      data.diameter,
                      "mm",
-                     "Of a ball, or the mean one of a roller",
+                     "Diameter of a ball, or mean diameter of a roller",
                      Range::not_negative());
-    declare_quantity(
-      prm, "element length", data.length, "mm", "Of a roller's contact", Range::not_negative());
+    declare_quantity(prm,
+                     "element length",
+                     data.length,
+                     "mm",
+                     "Length of a roller's line of contact",
+                     Range::not_negative());
     declare_quantity(prm,
                      "pitch diameter",
                      data.pitch_diameter,
                      "mm",
-                     "Of the circle of the elements' centres",
+                     "Diameter of the circle through the centres of the rolling elements",
                      Range::not_negative());
     declare_quantity(prm,
                      "contact angle",
                      data.contact_angle,
                      "deg",
-                     "Between the line of contact and the plane across the axis, without load",
+                     "Contact angle without load: between the line of contact and the plane normal "
+                     "to the axis",
                      Range::between(0, 80));
-    declare_quantity(prm, "clearance", data.clearance, "mm", "Diametral; negative: interference");
+    declare_quantity(
+      prm, "clearance", data.clearance, "mm", "Diametral clearance; negative: interference");
     declare_number(prm,
                    "inner conformity",
                    data.inner_conformity,
-                   "Radius of the inner groove over the ball's diameter",
+                   "Radius of the inner groove divided by the ball diameter",
                    Range::positive());
     declare_number(prm,
                    "outer conformity",
                    data.outer_conformity,
-                   "Radius of the outer groove over the ball's diameter",
+                   "Radius of the outer groove divided by the ball diameter",
                    Range::positive());
     const Choices<double> senses = {{"+z", 1.}, {"-z", -1.}};
-    declare_choice(
-      prm,
-      "holds",
-      data.sense,
-      senses,
-      "Ways of the shaft that a contact angle holds, along z of the axis or against it");
-    declare_quantity(
-      prm, "cage angle", data.cage_angle, "deg", "Of the first element at time zero, from x");
+    declare_choice(prm,
+                   "axial load direction",
+                   data.sense,
+                   senses,
+                   "Direction of the shaft's axial force that a bearing with a contact angle "
+                   "takes, along the axis z or against it");
+    declare_quantity(prm,
+                     "cage angle",
+                     data.cage_angle,
+                     "deg",
+                     "Angle of the first rolling element at time zero, from x");
     const Choices<bool> cages = {{"fixed", false}, {"rolling", true}};
     declare_choice(prm,
                    "cage",
                    data.cage_rolls,
                    cages,
-                   "fixed: it stands, all elements stay where they are; rolling: it turns with the "
-                   "shaft as elements roll on a fixed outer ring, in runs and in loaded tooth "
-                   "contact analyses");
+                   "fixed: all rolling elements stay in place; rolling: the cage turns with the "
+                   "shaft, on a fixed outer ring, in runs and in loaded tooth contact analyses");
     declare_quantity(prm,
                      "preload",
                      data.preload,
                      "N",
-                     "Axial force of the bearing where the shaft is not displaced",
+                     "Axial force of the bearing with the undisplaced shaft",
                      Range::not_negative());
     declare_vector(prm,
                    "working load",
                    data.working_load,
                    "N",
-                   "Force on the bearing along its x, y, z at which linear studies take its "
-                   "stiffness; 0, 0, 0: where it is not displaced");
+                   "Force on the bearing along its x, y, z, at which linear studies take its "
+                   "stiffness; 0, 0, 0: stiffness of the undisplaced shaft");
     seat.declare(prm);
   }
 
@@ -286,9 +304,14 @@ namespace vfife
                      "torsional stiffness",
                      stiffness,
                      "N mm/rad",
-                     "Between the turn at the body's speed and the mean turn of the nodes",
+                     "Torsional stiffness between the rotation at the body's speed and the mean "
+                     "rotation of the nodes",
                      Range::positive());
-    declare_quantity(
-      prm, "torsional damping", damping, "N mm s/rad", "Between the same", Range::not_negative());
+    declare_quantity(prm,
+                     "torsional damping",
+                     damping,
+                     "N mm s/rad",
+                     "Torsional damping between the same rotations",
+                     Range::not_negative());
   }
 } // namespace vfife

@@ -45,13 +45,14 @@ namespace vfife
       shapes,
       mesh,
       [this, shapes](const unsigned i) { mesh = shapes[i]; },
-      "Shape, or a file of hexahedra");
+      "Shape of the body, or file: a mesh file of hexahedra");
     declare_text(prm, "material", material, "Name of a section \"Material NAME\"");
     declare_names(prm,
                   "region materials",
                   region_materials,
-                  "Materials of regions of a mesh file that differ from the body's, REGION: "
-                  "MATERIAL each; MATERIAL names a section \"Material NAME\"");
+                  "Materials of single regions of a mesh file, as REGION: MATERIAL, separated "
+                  "by commas; MATERIAL names a section \"Material NAME\"; other regions have the "
+                  "body's material");
   }
 
   void BodyOptions::declare(dealii::ParameterHandler &prm, const std::string &section)
@@ -65,14 +66,15 @@ namespace vfife
           "file",
           file,
           "Mesh file of 8-node hexahedra, lengths in mm: .msh (Gmsh), .inp (Abaqus, "
-          "CalculiX), .vtk, .ucd; its named groups are node sets and surfaces; a relative "
-          "name starts at the folder of the parameter file");
-        declare_names(prm,
-                      "regions",
-                      regions,
-                      "Regions of the file (physical volumes, element sets, material ids) of which "
-                      "the body consists, by name or number; none: all, which must be joined by "
-                      "faces. Other bodies may read others of the same file");
+          "CalculiX), .vtk, .ucd. Its named groups become node sets and surfaces. A "
+          "relative name starts at the folder of the parameter file");
+        declare_names(
+          prm,
+          "regions",
+          regions,
+          "Regions of the file that form the body (physical volumes, element sets, "
+          "material ids), by name or number; empty: all regions. They must be joined by "
+          "faces; other bodies may use other regions of the same file");
       }
     else if (mesh == stepped_shaft)
       shaft.declare(prm);
@@ -81,32 +83,37 @@ namespace vfife
     declare_text(prm,
                  "temperature",
                  temperature,
-                 "Formula of x, y, z [mm] in the undeformed body frame for the temperature above "
-                 "that at which the body has no stress [K]; each element has that of its middle");
-    declare_vector(prm, "position", position, "mm", "Place of the body frame's origin");
+                 "Temperature above the stress-free temperature: formula of x, y, z [mm] in "
+                 "the undeformed body frame, evaluated at each element's centre [K]");
+    declare_vector(prm, "position", position, "mm", "Position of the body frame's origin");
     declare_vector(
-      prm, "rotation axis", rotation_axis, "-", "Axis about which the body frame is turned");
-    declare_quantity(prm, "rotation angle", rotation_angle, "deg", "Angle of that turn");
+      prm, "rotation axis", rotation_axis, "-", "Axis of the rotation that places the body frame");
+    declare_quantity(prm, "rotation angle", rotation_angle, "deg", "Angle of this rotation");
     declare_switch(prm,
-                   "bearing",
+                   "rotating",
                    bearing,
-                   "Whether the body turns on its axis; else its rigid motion is free");
-    declare_vector(
-      prm,
-      "axis point",
-      axis_point,
-      "mm",
-      "Point of the axis; 0, 0, 0 without a bearing: the centre of mass of a shape, the "
-      "origin of the body frame of a file");
-    declare_vector(prm, "axis direction", axis_direction, "-", "Direction of the axis");
-    declare_quantity(prm, "speed", speed, "rad/s", "Angular velocity about the axis of a bearing");
-    declare_vector(
-      prm, "velocity", velocity, "mm/s", "Velocity at time zero of a body without a bearing");
+                   "yes: the body rotates about its axis, which stays in place; no: its rigid "
+                   "motion is free");
+    declare_vector(prm,
+                   "axis point",
+                   axis_point,
+                   "mm",
+                   "Point on the axis of rotation; 0, 0, 0 of a body that does not rotate about "
+                   "an axis: centre of mass of a shape, origin of a mesh file");
+    declare_vector(prm, "axis direction", axis_direction, "-", "Direction of the axis of rotation");
+    declare_quantity(
+      prm, "speed", speed, "rad/s", "Angular velocity about the axis of a rotating body");
+    declare_vector(prm,
+                   "velocity",
+                   velocity,
+                   "mm/s",
+                   "Initial velocity of a body that does not rotate about an axis");
     declare_vector(prm,
                    "angular velocity",
                    angular_velocity,
                    "rad/s",
-                   "Angular velocity at time zero about the centre of mass, without a bearing");
+                   "Initial angular velocity about the centre of mass, of a body that does not "
+                   "rotate about an axis");
     const char *names = "xyz";
     for (unsigned int c = 0; c < 3; ++c)
       declare_text(prm,
@@ -157,7 +164,8 @@ namespace vfife
         "must be zero for a body with a bearing, which moves by its speed about the axis only");
     if (!bearing && speed != 0)
       throw InputError(section + "/speed",
-                       "requires bearing = yes. Set angular velocity for a body without a bearing");
+                       "requires rotating = yes. Set angular velocity for a body that does not "
+                       "rotate about an axis");
   }
 
   std::unique_ptr<BodyMesh> BodyOptions::make_mesh(const std::string &section) const

@@ -53,7 +53,7 @@ namespace vfife
 
   void ConstraintOptions::declare_kind(dealii::ParameterHandler &prm)
   {
-    declare_choice(prm, "kind", kind, support_kinds, "What the nodes do");
+    declare_choice(prm, "kind", kind, support_kinds, "Type of constraint");
   }
 
   void ConstraintOptions::declare(dealii::ParameterHandler &prm)
@@ -65,23 +65,26 @@ namespace vfife
         declare_names(prm,
                       "directions",
                       directions,
-                      "Directions that are prescribed: of x, y, z (fixed frame), or of r, theta, z "
-                      "(about the body's axis)");
+                      "Prescribed directions: of x, y, z (fixed frame), or of r, theta, z (body's "
+                      "axis)");
         declare_vector(prm,
                        "displacement",
                        displacement,
                        "mm",
-                       "Displacement along x, y, z or r, -, z, times the history");
+                       "Displacement along x, y, z or r, -, z, multiplied by the history");
       }
     if (kind == SupportKind::displacement || kind == SupportKind::angle)
       {
-        declare_quantity(
-          prm, "angle", angle, "deg", "Turn about the body's axis (theta), times the history");
+        declare_quantity(prm,
+                         "angle",
+                         angle,
+                         "deg",
+                         "Rotation about the body's axis (theta), multiplied by the history");
         history.declare(prm);
       }
     if (kind == SupportKind::spring)
       declare_vector(
-        prm, "stiffness", stiffness, "N/mm", "Stiffness of all nodes together along x, y, z");
+        prm, "stiffness", stiffness, "N/mm", "Total stiffness of all nodes together along x, y, z");
     if (is_bearing())
       bearing.declare(kind == SupportKind::rolling_bearing, prm);
     if (kind == SupportKind::coupling)
@@ -139,7 +142,7 @@ namespace vfife
     if (!body.turns_on_axis)
       throw InputError(section + "/body",
                        "body \"" + body.name() +
-                         "\" has no axis of rotation. Set bearing = yes in its section, with axis "
+                         "\" has no axis of rotation. Set rotating = yes in its section, with axis "
                          "point, axis direction and speed");
     SelectedFaces faces = selection.find_faces(body, nodes, section);
     if (kind == SupportKind::coupling)

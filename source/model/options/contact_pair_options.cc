@@ -34,7 +34,8 @@ namespace vfife
 
   void ContactPairOptions::declare_kind(dealii::ParameterHandler &prm)
   {
-    declare_choice(prm, "kind", kind, contact_kinds, "Two bodies, or a body and a rigid wall");
+    declare_choice(
+      prm, "kind", kind, contact_kinds, "Contact of two bodies, or of a body and a rigid wall");
   }
 
   void ContactPairOptions::declare(dealii::ParameterHandler &prm)
@@ -51,8 +52,8 @@ namespace vfife
       }
     // A wall has a place and a penalty; sampling, edges and friction are for two surfaces.
     selection.declare(prm);
-    declare_vector(prm, "wall point", wall.point, "mm", "Point of the wall");
-    declare_vector(prm, "wall normal", wall.normal, "-", "Direction out of the wall");
+    declare_vector(prm, "wall point", wall.point, "mm", "Point on the wall");
+    declare_vector(prm, "wall normal", wall.normal, "-", "Normal of the wall, out of it");
     wall.penalty.declare(prm);
     wall.friction.declare(prm);
   }

@@ -14,7 +14,7 @@ namespace vfife
 
   void LoadOptions::declare_kind(dealii::ParameterHandler &prm)
   {
-    declare_choice(prm, "kind", kind, load_kinds, "What acts on the nodes");
+    declare_choice(prm, "kind", kind, load_kinds, "Type of load");
   }
 
   void LoadOptions::declare(dealii::ParameterHandler &prm)
@@ -25,24 +25,23 @@ namespace vfife
     // Each kind has the entry of its own quantity only: others in its section are refused as
     // unknown.
     if (kind == LoadKind::force)
-      declare_vector(prm, "force", vector, "N", "Sum of the forces, fixed in space");
+      declare_vector(prm, "force", vector, "N", "Resultant force with fixed direction in space");
     if (kind == LoadKind::moment)
-      declare_vector(
-        prm,
-        "moment",
-        vector,
-        "N mm",
-        "Sum of the moments about the nodes' centre, fixed in space; the forces sum to "
-        "zero");
+      declare_vector(prm,
+                     "moment",
+                     vector,
+                     "N mm",
+                     "Resultant moment about the centre of the nodes, with fixed direction in "
+                     "space; the nodal forces sum to zero");
     if (kind == LoadKind::pressure)
       declare_quantity(prm,
                        "pressure",
                        pressure,
                        "MPa",
-                       "Pressure on the present faces, + into the body; follows them");
+                       "Pressure on the deformed faces, positive into the body; follows the faces");
     if (kind == LoadKind::acceleration)
       declare_vector(
-        prm, "acceleration", vector, "mm/s^2", "Body force over mass, such as gravity");
+        prm, "acceleration", vector, "mm/s^2", "Acceleration as a body force, such as gravity");
   }
 
   void LoadOptions::add_to(Model &model, const std::string &name, const std::string &section) const

@@ -91,14 +91,15 @@ namespace vfife
                    "point",
                    point,
                    "mm",
-                   "Place in the undeformed body frame: the nearest node is recorded");
+                   "Point in the undeformed body frame; the nearest node is recorded");
     const Choices<bool> axes = {{"x, y, z", true}, {"r, theta, z", false}};
     declare_choice(prm,
                    "axes",
                    fixed_axes,
                    axes,
-                   "Displacement along x, y, z of the fixed frame (stresses: of the body), or what "
-                   "is left in the turning body along r, theta, z of its axis");
+                   "x, y, z: displacement in the fixed frame (stresses in the body frame); r, "
+                   "theta, z: deformation of a rotating body in cylindrical coordinates about "
+                   "its axis");
   }
 
   void ProbeOptions::add_to(Model &model, const std::string &name, const std::string &section) const
@@ -125,14 +126,23 @@ namespace vfife
   void ModelOptions::declare_names_of_parts(dealii::ParameterHandler &prm)
   {
     Subsection section(prm, "Model");
-    declare_names(prm, "bodies", body_names_, "A subsection \"Body NAME\" for each");
+    declare_names(prm,
+                  "bodies",
+                  body_names_,
+                  "Names of bodies; each has a subsection \"Body NAME\"");
     declare_names(prm,
                   "constraints",
                   constraint_names_,
-                  "A subsection \"Constraint NAME\" for each");
-    declare_names(prm, "loads", load_names_, "A subsection \"Load NAME\" for each");
-    declare_names(prm, "contacts", contact_names_, "A subsection \"Contact NAME\" for each");
-    declare_names(prm, "probes", probe_names_, "A subsection \"Probe NAME\" for each");
+                  "Names of constraints; each has a subsection \"Constraint NAME\"");
+    declare_names(prm, "loads", load_names_, "Names of loads; each has a subsection \"Load NAME\"");
+    declare_names(prm,
+                  "contacts",
+                  contact_names_,
+                  "Names of contacts; each has a subsection \"Contact NAME\"");
+    declare_names(prm,
+                  "probes",
+                  probe_names_,
+                  "Names of probes; each has a subsection \"Probe NAME\"");
   }
 
   void ModelOptions::declare_kinds(dealii::ParameterHandler &prm)

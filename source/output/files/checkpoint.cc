@@ -26,7 +26,7 @@ namespace vfife
     /** Raised where runs cannot go on from what earlier programs wrote: parts and entries are found
      * by their names (ByteStream::pass_part()), so that new ones do not raise it, but another
      * meaning of a default does. */
-    const SealedFile seal = {"vfife-run-state", "checkpoint", 5};
+    const SealedFile seal = {"vfife-run-state", "checkpoint", 6};
 
     /** Both directions. */
     void serialize(ByteStream &stream, Checkpoint &checkpoint)

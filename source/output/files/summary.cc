@@ -117,7 +117,7 @@ namespace vfife
       json["at"]                           = figure_json(record.peak_time, "s");
       json["least of the record"]          = figure_json(record.least, "MPa");
       json[summary_place::largest_of_turn] = figure_json(record.largest, "MPa");
-      json["after the mesh"]               = figure_json(record.largest_after_mesh, "tooth meshes");
+      json["after the mesh"]               = figure_json(record.largest_after_mesh, "mesh cycles");
       json[summary_place::median_of_turn]  = figure_json(record.median, "MPa");
       json["the record has the peak"]      = record.has_peak;
       json["the record has the median"]    = record.has_median;
@@ -131,18 +131,19 @@ namespace vfife
       energy["kinetic"] = figure_json(ledger.kinetic, "mJ");
       energy["kinetic, relative to the turning bodies"] =
         figure_json(ledger.kinetic_relative, "mJ");
-      energy["strain"]                    = figure_json(ledger.strain, "mJ");
-      energy["contact"]                   = figure_json(ledger.contact, "mJ");
-      energy["start"]                     = figure_json(ledger.start, "mJ");
-      energy["work of the drive"]         = figure_json(ledger.drive_work, "mJ");
-      energy["work of the torques"]       = figure_json(ledger.torque_work, "mJ");
-      energy["damping loss"]              = figure_json(ledger.damping_loss, "mJ");
-      energy["taken by the mesh damping"] = figure_json(ledger.mesh_damping_uptake, "mJ");
-      energy["taken by the mesh damping from the swing"] = figure_json(ledger.swing_loss, "mJ");
-      energy["contact loss"]                             = figure_json(ledger.contact_loss, "mJ");
-      energy["contact loss by friction"]                 = figure_json(ledger.friction_loss, "mJ");
-      energy["residual"]                                 = figure_json(ledger.residual(), "mJ");
-      at(summary_place::energy_error, json)              = figure_json(ledger.error(), "-");
+      energy["strain"]                            = figure_json(ledger.strain, "mJ");
+      energy["contact"]                           = figure_json(ledger.contact, "mJ");
+      energy["start"]                             = figure_json(ledger.start, "mJ");
+      energy["work of the drive"]                 = figure_json(ledger.drive_work, "mJ");
+      energy["work of the torques"]               = figure_json(ledger.torque_work, "mJ");
+      energy["damping loss"]                      = figure_json(ledger.damping_loss, "mJ");
+      energy["taken by the driven speed damping"] = figure_json(ledger.mesh_damping_uptake, "mJ");
+      energy["taken by the driven speed damping from the swing"] =
+        figure_json(ledger.swing_loss, "mJ");
+      energy["contact loss"]                = figure_json(ledger.contact_loss, "mJ");
+      energy["contact loss by friction"]    = figure_json(ledger.friction_loss, "mJ");
+      energy["residual"]                    = figure_json(ledger.residual(), "mJ");
+      at(summary_place::energy_error, json) = figure_json(ledger.error(), "-");
     }
 
     Json damping(const std::vector<DampingAudit> &audits)

@@ -165,7 +165,7 @@ namespace vfife
       return {at, pair.driver_rate * factor * 30 / pi, pair.mesh_frequency(at), order};
     }
 
-    /** By tooth meshes. */
+    /** By mesh cycles. */
     OrderTracking track(const std::vector<double> &time,
                         const Transmission        &pair,
                         const unsigned int         length,

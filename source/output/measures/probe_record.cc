@@ -47,7 +47,7 @@ namespace vfife
     text << name << ": largest von Mises stress of the record " << figure_text(peak) << " MPa at "
          << figure_text(1e3 * peak_time)
          << " ms; of a whole turn (copies in all sectors at the end) " << figure_text(largest)
-         << " MPa, " << figure_text(std::abs(largest_after_mesh)) << " tooth meshes "
+         << " MPa, " << figure_text(std::abs(largest_after_mesh)) << " mesh cycles "
          << (largest_after_mesh < 0 ? "before" : "after") << " the mesh, median "
          << figure_text(median) << " MPa; ";
     if (has_peak && has_median)

@@ -15,7 +15,7 @@ namespace vfife
   {
     constexpr unsigned int highest_order = 3;
 
-    /** Peak to peak of a half and of the harmonics of the tooth mesh in it. */
+    /** Peak to peak of a half and of the harmonics of the gear mesh in it. */
     struct Half
     {
       double              peak_to_peak;
@@ -100,7 +100,7 @@ namespace vfife
   std::string Ripple::explain() const
   {
     if (!judged)
-      return "the ripple is not judged: two whole tooth meshes are required";
+      return "the ripple is not judged: two whole mesh cycles are required";
     std::ostringstream text;
     text << "the ripple " << (steady ? "is steady in time" : "is NOT steady in time")
          << ", peak to peak and harmonics of the first and the second half differ by ";

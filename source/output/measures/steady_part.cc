@@ -25,7 +25,7 @@ namespace vfife
 
     std::string meshes_text(const unsigned int n)
     {
-      return std::to_string(n) + (n == 1 ? " tooth mesh" : " tooth meshes");
+      return std::to_string(n) + (n == 1 ? " mesh cycle" : " mesh cycles");
     }
 
     /** Whether a column is the integral of another one over time. */
@@ -192,7 +192,7 @@ namespace vfife
       throw InputError("a history of fewer than two rows has no steady part");
     if (!(samples_per_mesh > 1) || !std::isfinite(swing_period_meshes))
       throw InputError(
-        "the steady part requires more than one sample per tooth mesh and a finite swing period");
+        "the steady part requires more than one sample per mesh cycle and a finite swing period");
 
     const std::vector<double> &time     = history.numbers(column::time);
     const double               interval = (time.back() - time.front()) / (time.size() - 1);
@@ -290,7 +290,7 @@ namespace vfife
     if (by_cycles)
       text << cycles_to_judge << (judged_cycles == 1 ? " is" : " are")
            << " fewer than two swing periods of " << meshes_text(period)
-           << "; means over single tooth meshes differ by " << (found ? "at most " : "") << percent
+           << "; means over single mesh cycles differ by " << (found ? "at most " : "") << percent
            << " %";
     else if (judged_cycles < period)
       text << cycles_to_judge << (judged_cycles == 1 ? " is" : " are")

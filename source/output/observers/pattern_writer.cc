@@ -44,7 +44,7 @@ namespace vfife
 
   void PatternWriter::serialize(ByteStream &stream)
   {
-    // With the start of the last tooth mesh, so that a run that goes on knows which one it was.
+    // With the start of the last mesh cycle, so that a run that goes on knows which one it was.
     double start = start_;
     stream.pass(start);
     for (ContactPattern::Flank &flank : pattern_.flanks())
@@ -54,7 +54,7 @@ namespace vfife
         if (!stream.reads())
           folder_.communicator().max(largest);
         stream.pass_known(largest);
-        // A run that is made longer has another last tooth mesh.
+        // A run that is made longer has another last mesh cycle.
         if (stream.reads() && start == start_)
           flank.largest_pressure = largest;
       }

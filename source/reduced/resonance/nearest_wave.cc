@@ -20,7 +20,7 @@ namespace vfife
     constexpr unsigned int driving_orders = 3;
     /** Parts of the speed within which they are looked for, the next one where there is none. */
     constexpr double surroundings[] = {.1, .4};
-    /** Positions of a tooth mesh whose mean force acts on the modes: poles ask for no more. */
+    /** Positions of a mesh cycle whose mean force acts on the modes: poles ask for no more. */
     constexpr unsigned int n_positions = 12;
   } // namespace
 

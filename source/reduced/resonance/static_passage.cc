@@ -8,7 +8,7 @@ namespace vfife
 {
   namespace
   {
-    /** Part of the speed with which the tooth mesh passes: nothing spins. */
+    /** Part of the speed with which the mesh cycle passes: nothing spins. */
     constexpr double slow = 1e-3;
   } // namespace
 

@@ -122,7 +122,7 @@ class Pair:
 
     def _source(self, kind):
         # pictures are drawn of files
-        settings = {**self.settings, "Study/kind": kind, "Output/pictures": "no"}
+        settings = {**self.settings, "Study/kind": kind, "Output/report": "no"}
         return load_extension().Source(self.path, self._text, [f"{entry}={value}" for entry, value in settings.items()])
 
     def _analyse(self, kind):

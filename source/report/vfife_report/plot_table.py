@@ -38,11 +38,11 @@ RUN_PLOTS = (
     PlotRow("load_sharing.svg", (has_tooth_pressures,), tooth_contact.draw_load_sharing,
             "Share of each tooth pair and Hertz's pressure, all pairs laid over each other.", "Contact"),
     PlotRow("contact_pattern.svg", (has_pattern, has_history), tooth_contact.draw_contact_pattern,
-            "Contact pattern over the last tooth mesh, along and over the pitch cone: where the flanks carry. Pressures of "
+            "Contact pattern over the last mesh cycle, along and over the pitch cone: where the flanks carry. Pressures of "
             "nodes are spread over their facets; how large the pressure is says Hertz's.", "Contact",
             data="pattern.csv"),
     PlotRow("spectra.svg", (has_tooth_mesh,), spectra.draw_spectra,
-            "Amplitudes over the whole tooth meshes of the steady part, no window.",
+            "Amplitudes over the whole mesh cycles of the steady part, no window.",
             "Spectra and periodicity"),
     PlotRow("sidebands.svg", (has_tooth_mesh,), spectra.draw_sidebands,
             "Transmission error around the first harmonics of the mesh (Hann's window).",
@@ -98,11 +98,11 @@ TABLE_PLOTS = (
             "Lag of neighbouring tooth pairs, path of contact with ellipses, ease-off.",
             "Unloaded tooth contact", data="tca.csv, path.csv, ease_off.csv"),
     PlotRow("loaded_contact.svg", (has_file("loaded_contact.csv"),), draw_loaded_contact,
-            "Transmission error, load sharing, mesh stiffness and stresses over a tooth mesh.",
+            "Transmission error, load sharing, mesh stiffness and stresses over a mesh cycle.",
             "Loaded tooth contact by finite elements", data="loaded_contact.csv, loaded_teeth.csv"),
     PlotRow("loaded_pattern.svg", (has_pattern, has_file("loaded_contact.csv")),
             tooth_contact.draw_contact_pattern,
-            "Contact pattern on the drive flanks over one tooth mesh, along and over the pitch cone; cross: its centre. Pressures of nodes "
+            "Contact pattern on the drive flanks over one mesh cycle, along and over the pitch cone; cross: its centre. Pressures of nodes "
             "are spread over their facets: they say where the flanks carry.",
             "Loaded tooth contact by finite elements", data="pattern.csv"),
     PlotRow("grid_pressure.svg", (has_file("pressure.csv"),), grid_pressure.draw_pressure,
@@ -181,18 +181,18 @@ STUDY_PLOTS = (
     PlotRow("curves.svg", (has_axis,), draw_curves,
             "Key figures of the runs over what is varied.", "Over what is varied"),
     PlotRow("dte.svg", (has_pairs,), partial(comparisons.draw_histories, column=TRANSMISSION_ERROR),
-            "Dynamic transmission error of all variants: means over a tooth mesh for the whole run, and "
-            "the last tooth meshes as they are.", "Transmission error"),
+            "Dynamic transmission error of all variants: means over a mesh cycle for the whole run, and "
+            "the last mesh cycles as they are.", "Transmission error"),
     PlotRow("dte_spectra.svg", (has_pairs,),
             partial(comparisons.draw_spectra, column=TRANSMISSION_ERROR),
-            "Spectra of the transmission error, whole tooth meshes of the steady part.",
+            "Spectra of the transmission error, whole mesh cycles of the steady part.",
             "Transmission error"),
     PlotRow("contact_force.svg", (has_pairs,), partial(comparisons.draw_histories, column=CONTACT_FORCE),
             "Total contact force of all variants, in the same way.", "Contact"),
     PlotRow("force_spectra.svg", (has_pairs,), partial(comparisons.draw_spectra, column=CONTACT_FORCE),
             "Spectra of the contact force.", "Contact"),
     PlotRow("contact_patterns.svg", (has_patterns,), tooth_contact.draw_contact_patterns,
-            "Contact patterns on the drive flanks over one tooth mesh, each over its own largest pressure. Dots: nodes; a cross, of a "
+            "Contact patterns on the drive flanks over one mesh cycle, each over its own largest pressure. Dots: nodes; a cross, of a "
             "loaded tooth contact analysis: the centre.",
             "Contact"),
     PlotRow("tooth_stress.svg", (has_pairs_with("teeth", "hertz pressure"),),

@@ -142,15 +142,15 @@ namespace vfife
     declare_integer(prm,
                     "repeats",
                     repeats,
-                    "Measurements of each variant, of which medians are reported",
+                    "Number of measurements of each variant; medians are reported",
                     1,
                     10000);
-    declare_integer(prm, "steps", steps, "Time steps of one measurement", 1);
+    declare_integer(prm, "steps", steps, "Time steps per measurement", 1);
     declare_integer(prm, "cells", cells, "Elements of the general mesh along each side", 2, 500);
     declare_integer(prm,
                     "plain elements",
                     plain_elements,
-                    "Elements on which the plain implementation is measured (5 kB each)",
+                    "Number of elements for the reference implementation (5 kB each)",
                     1,
                     10000000);
   }
@@ -162,11 +162,10 @@ namespace vfife
                      "closing",
                      closing,
                      "mm",
-                     "How far the flanks of the pair go into each other where its contact is "
-                     "measured",
+                     "Penetration of the flanks in the contact measurement of the pair",
                      Range::positive());
     declare_integer(
-      prm, "contact steps", steps, "Time steps of one measurement of the pair's contact", 1);
+      prm, "contact steps", steps, "Time steps per measurement of the pair's contact", 1);
   }
 
   void BenchmarkStudy::run(OutputFolder &folder, Log &log)

@@ -52,21 +52,22 @@ namespace vfife
   {
     const Subsection section(prm, "Benchmark");
     declare_integer(prm,
-                    "largest number of ranks",
+                    "maximum number of ranks",
                     largest_number,
-                    "Up to which, by twos, the time of a step is reckoned",
+                    "Largest number of ranks, by powers of two, for which the time of a step is "
+                    "estimated",
                     1,
                     65536);
     declare_quantity(prm,
                      "message latency",
                      latency,
                      "us",
-                     "Assumed time of a short message between two ranks",
+                     "Assumed latency of a short message between two ranks",
                      Range::positive());
     declare_number(prm,
                    "message bandwidth",
                    bandwidth,
-                   "Assumed of what a rank sends, in GB/s",
+                   "Assumed bandwidth of a rank, in GB/s",
                    Range::positive());
   }
 

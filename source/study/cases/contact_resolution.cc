@@ -99,17 +99,4 @@ namespace vfife
                       .norm();
     return area;
   }
-
-  void warn_of_unused_entries(const Model &model, Log &log)
-  {
-    for (const ContactPair &pair : model.contacts)
-      if (pair.options.regularization_velocity > 0)
-        {
-          log.warning("contact ",
-                      pair.side,
-                      ": \"regularization velocity\" is no longer used: friction sticks "
-                      "elastically (\"tangential stiffness ratio\")");
-          return;
-        }
-  }
 } // namespace vfife

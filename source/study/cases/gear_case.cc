@@ -88,13 +88,13 @@ namespace vfife
       pair_.declare(prm);
       GearBodyOptions::declare_fineness(prm, members_[0].body, members_[1].body);
       Subsection housing(prm, "Housing");
-      declare_file_name(prm,
-                        "stiffness",
-                        housing_,
-                        "File in the format Matrix Market: symmetric, six rows for each bearing of "
-                        "the pinion, then of the gear, in their order: displacements [mm], turns "
-                        "[rad] along x, y, z of the fixed frame; N, N mm; without one the "
-                        "housing is rigid");
+      declare_file_name(
+        prm,
+        "stiffness",
+        housing_,
+        "File of the housing's stiffness (Matrix Market): symmetric, six rows per bearing, first "
+        "the pinion's, then the gear's: displacements [mm] and rotations [rad] along x, y, z of "
+        "the fixed frame; forces in N, moments in N mm; empty: rigid housing");
     }
     inside(prm, [&prm](Member &member) {
       declare_material(prm, member.material);
@@ -115,14 +115,14 @@ namespace vfife
     operation_.declare(prm);
     declare_section(prm, "Contact", contact_);
     Subsection contact(prm, "Contact");
-    declare_choice(
-      prm,
-      "penalty elements",
-      quadratic_reference_,
-      {{"quadratic", true}, {"as the run", false}},
-      "Elements whose mean transmission error at rest the penalty auto gives to runs, reduced "
-      "pairs and waves: quadratic ones on a mesh of 2 x 3 cells in the section of a tooth, or "
-      "those of the run, which are too stiff by up to 5 %");
+    declare_choice(prm,
+                   "penalty elements",
+                   quadratic_reference_,
+                   {{"quadratic", true}, {"as the run", false}},
+                   "Elements whose mean transmission error at rest calibrates the penalty auto "
+                   "in runs, reduced pairs and waves. quadratic: quadratic elements on a mesh of "
+                   "2 x 3 elements in the section of a tooth; as the run: the elements of the "
+                   "run, which are up to 5 % too stiff");
   }
 
   void GearCase::check() const

@@ -68,7 +68,7 @@ namespace vfife
       if (operation.ramp >= gear_case.run_meshes())
         return text("the ramp of ",
                     operation.ramp,
-                    " tooth meshes does not end within the run of ",
+                    " mesh cycles does not end within the run of ",
                     gear_case.run_meshes(),
                     ": no steady part is possible");
       return "";
@@ -155,9 +155,9 @@ namespace vfife
       // Whole steps from sample to sample cost little, unless samples are a few steps apart: then
       // the user can have the time back.
       if (plan.step < 0.7 * plan.stable_step)
-        return text("history every = ",
+        return text("samples per mesh cycle = ",
                     plan.output->history_every,
-                    " samples per tooth mesh reduces the step to ",
+                    " reduces the step to ",
                     plan.step / plan.stable_step,
                     " of the stable step");
       if (plan.stable_step < 0.6 * plan.element_step)
@@ -169,15 +169,15 @@ namespace vfife
 
     std::string check_fields(const GearCase &gear_case, const RunPlan &plan)
     {
-      // Fields are those of explicit runs, [tooth meshes] as their length.
+      // Fields are those of explicit runs, [mesh cycles] as their length.
       const double every = plan.step > 0 ? plan.output->fields_every : 0.;
       if (every <= gear_case.run_meshes())
         return "";
-      return text("fields every = ",
+      return text("field output interval = ",
                   every,
                   " is more than the run's ",
                   gear_case.run_meshes(),
-                  " tooth meshes: fields are written at the start and the end only");
+                  " mesh cycles: fields are written at the start and the end only");
     }
 
     std::string check_checkpoint(const GearCase &, const RunPlan &plan)
@@ -185,7 +185,7 @@ namespace vfife
       if (plan.expected_time < 3600 || plan.output->checkpoint_every > 0)
         return "";
       return "a run of about " + duration_text(plan.expected_time) +
-             " without checkpoints (Output/checkpoint every)";
+             " without checkpoints (Output/checkpoint interval)";
     }
 
     std::string check_samples(const GearCase &, const RunPlan &plan)
@@ -193,9 +193,9 @@ namespace vfife
       // A tooth pair's share of a mesh and its harmonics need some points.
       if (plan.output == nullptr || plan.output->history_every >= 10)
         return "";
-      return text("history every = ",
+      return text("samples per mesh cycle = ",
                   plan.output->history_every,
-                  " samples per tooth mesh cannot resolve the ripple: use at least 10");
+                  " cannot resolve the ripple: use at least 10");
     }
 
     std::string check_length(const GearCase &gear_case, const RunPlan &plan)
@@ -203,7 +203,7 @@ namespace vfife
       constexpr double month = 30. * 24 * 3600;
       if (!(plan.expected_time > month))
         return "";
-      return text("a tooth mesh has ",
+      return text("a mesh cycle has ",
                   std::round(1. / (gear_case.mesh_frequency() * plan.step)),
                   " steps at this speed: use the loaded tooth contact analysis or a reduced pair "
                   "for slow motion");

@@ -115,7 +115,6 @@ namespace vfife
     for (const BodyFigures &figures : measure_bodies(model))
       figures.write_to(log);
     log_parts(model, log);
-    warn_of_unused_entries(model, log);
     warn_of_materials(model, log);
     return model;
   }

@@ -36,7 +36,7 @@ namespace vfife
       {
         throw InputError("Operation/speed",
                          std::string("the speed ") + error.what() + " of " +
-                           std::to_string(operation_.meshes.number) + " tooth meshes");
+                           std::to_string(operation_.meshes.number) + " mesh cycles");
       }
   }
 
@@ -131,13 +131,14 @@ namespace vfife
     if (!driven_torque_history().is_constant() && dynamics.start == Start::ramp)
       throw InputError("Operation/torque",
                        "expected a constant torque with Dynamics/start = ramp, got a torque over "
-                       "time. Set Dynamics/start = static preload");
+                       "time. Set Dynamics/start = static equilibrium");
     if (operation_.meshes.is_word && !(operation_.end_time > 0))
       {
         operation_.require_constant("Operation", "run until its ripple is steady");
         if (!(dynamics.mass_damping() > 0) && !(dynamics.mesh_damping > 0))
-          throw InputError("Operation/tooth meshes",
-                           "until steady requires Dynamics/damping or mesh damping, because "
+          throw InputError("Operation/mesh cycles",
+                           "until steady requires Dynamics/mass proportional damping or driven "
+                           "speed damping, because "
                            "otherwise vibrations do not decay");
       }
     if (!(operation_.speed_history.find_range(end_time()).first > 0))
@@ -173,17 +174,17 @@ namespace vfife
       return std::to_string(std::lround(times * unit)) + " 1/s";
     };
     throw InputError(
-      !too_strong                  ? "Dynamics/mesh damping"
+      !too_strong                  ? "Dynamics/driven speed damping"
       : dynamics.damping_ratio > 0 ? "Dynamics/damping ratio"
-                                   : "Dynamics/damping",
+                                   : "Dynamics/mass proportional damping",
       "the damping distorts the static deflection pattern and the compliance (by more than 25 % at "
       "the largest damping). For a gear of this size set damping at most " +
-        rate(10) + " (ratio times 4 pi frequency) and mesh damping at most " + rate(100) +
+        rate(10) + " (ratio times 4 pi frequency) and driven speed damping at most " + rate(100) +
         "; recommended: at most " + rate(1));
   }
 
   // dt = 1/(f s n), n = ceil(1/(f s dt_s)): whole steps from sample to sample, so that samples lie
-  // at the same positions of every tooth mesh. Where the speed changes, its largest value counts.
+  // at the same positions of every mesh cycle. Where the speed changes, its largest value counts.
   double GearCase::choose_step(const double stable_step, const unsigned int samples) const
   {
     const double frequency = mesh_frequency() * largest_speed_factor();

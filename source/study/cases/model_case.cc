@@ -56,7 +56,6 @@ namespace vfife
     log_bodies(model, log);
     options_.log_probes(model, log);
     log_parts(model, log);
-    warn_of_unused_entries(model, log);
     warn_of_materials(model, log);
     return model;
   }
@@ -68,13 +67,14 @@ namespace vfife
     dynamics.damping      = 0;
     dynamics.mesh_damping = 0;
     output.fields_every   = 0;
+    output.of_model       = true;
   }
 
   void ModelCase::declare_run(dealii::ParameterHandler &prm)
   {
     Subsection section(prm, "Dynamics");
     declare_quantity(
-      prm, "end time", end_time_, "s", "Time at which the run ends", Range::not_negative());
+      prm, "end time", end_time_, "s", "Time at the end of the run", Range::not_negative());
   }
 
   void ModelCase::check_dynamics(const DynamicsOptions &dynamics) const
@@ -84,7 +84,8 @@ namespace vfife
                        "expected \"undeformed\" or \"static preload\" for a model of the section "
                        "Model, got a start of gear pairs");
     if (dynamics.mesh_damping > 0)
-      throw InputError("Dynamics/mesh damping", "requires a gear pair, got a model without one");
+      throw InputError("Dynamics/driven speed damping",
+                       "requires a gear pair, got a model without one");
   }
 
   void ModelCase::check_run(const DynamicsOptions &dynamics) const

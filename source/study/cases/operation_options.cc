@@ -11,8 +11,8 @@ namespace vfife
 {
   namespace
   {
-    const Choices<HubKind> hub_kinds = {{"rigid hub", HubKind::rigid_hub},
-                                        {"free rotation", HubKind::free_rotation}};
+    const Choices<HubKind> hub_kinds = {{"rigid", HubKind::rigid_hub},
+                                        {"per node", HubKind::free_rotation}};
   } // namespace
 
   void OperationOptions::declare(dealii::ParameterHandler &prm)
@@ -26,68 +26,64 @@ namespace vfife
                                "Speed of the pinion",
                                Range::not_negative().with_hint(
                                  "direction of rotation = reverse turns it round"));
-    declare_quantity_over_time(prm,
-                               "torque",
-                               torque,
-                               torque_history,
-                               "N m",
-                               "Torque on the driven member (the gear, if nothing else is said), "
-                               "against its rotation",
-                               Range::not_negative());
-    declare_quantity_over_time(prm,
-                               "pinion torque",
-                               pinion_torque,
-                               pinion_torque_history,
-                               "N m",
-                               "Torque at the pinion instead of that on the driven member, which "
-                               "has the same work without friction: torque on the gear times "
-                               "pinion teeth over gear teeth; 0: torque holds",
-                               Range::not_negative());
+    declare_quantity_over_time(
+      prm,
+      "torque",
+      torque,
+      torque_history,
+      "N m",
+      "Torque on the driven member (by default the gear), against its rotation",
+      Range::not_negative());
+    declare_quantity_over_time(
+      prm,
+      "pinion torque",
+      pinion_torque,
+      pinion_torque_history,
+      "N m",
+      "Torque on the pinion, instead of torque: torque on the gear is this torque "
+      "times gear teeth divided by pinion teeth; 0: torque applies",
+      Range::not_negative());
     declare_number_or_word(
       prm,
-      "tooth meshes",
+      "mesh cycles",
       meshes,
       "until steady",
-      "Length of the run in tooth meshes, or until the ripple is steady: the "
-      "length that damping asks for, and half as much again as often as needed",
+      "Length of the run in mesh cycles. until steady: the length that the damping "
+      "requires, extended by half until the ripple is steady",
       1,
       1000000);
-    declare_integer(prm,
-                    "most tooth meshes",
-                    most_meshes,
-                    "After which a run until steady ends though it is not",
-                    1,
-                    1000000);
+    declare_integer(
+      prm, "maximum mesh cycles", most_meshes, "Maximum length of a run until steady", 1, 1000000);
     declare_quantity(prm,
                      "end time",
                      end_time,
                      "s",
-                     "Length of the run instead of tooth meshes; 0: these decide",
+                     "Length of the run as a time, instead of mesh cycles; 0: mesh cycles apply",
                      Range::not_negative());
     declare_number(prm,
                    "ramp",
                    ramp,
-                   "Tooth meshes over which the torque grows linearly, with Dynamics/start = ramp "
-                   "(whole swing periods)",
+                   "Mesh cycles over which the torque grows linearly, with Dynamics/start = ramp "
+                   "(whole periods of the torsional vibration)",
                    Range::not_negative());
     declare_quantity(prm,
-                     "allowed contact pressure",
+                     "contact stress limit",
                      pressure_limit,
                      "MPa",
-                     "Beyond which Hertz's pressure of one tooth pair under all the torque is said "
-                     "to be too large; 1500: endurance limit of case-hardened steel, quality MQ "
-                     "(ISO 6336-5); 0: none is known",
+                     "Contact stress limit: the program warns if Hertzian pressure of a single "
+                     "tooth pair under the whole torque exceeds it. 1500: endurance limit of "
+                     "case-hardened steel, quality MQ (ISO 6336-5), without factors for life, size "
+                     "and lubrication; 0: no limit",
                      Range::not_negative());
     declare_driving(prm, driving, direction);
-    declare_choice(
-      prm,
-      "hub",
-      hub,
-      hub_kinds,
-      "Bore of the driven member, whose radial and axial displacement is held: it turns as one, as "
-      "a hub on a stiff shaft does, or each of its nodes slides about the axis by itself under the "
-      "constant traction of the torque, which alone gives way by some 12 arcsec without a web and "
-      "4 to 9 with one of 5 mm");
+    declare_choice(prm,
+                   "bore rotation",
+                   hub,
+                   hub_kinds,
+                   "Rotation of the driven member's bore, whose radial and axial displacements "
+                   "are zero. rigid: the bore rotates as one, as on a stiff shaft; per node: "
+                   "each node rotates by itself under the uniform traction of the torque, which "
+                   "adds some 4 to 12 arcsec of transmission error");
   }
 
   void OperationOptions::require_speed(const std::string &section) const

@@ -57,8 +57,8 @@ namespace vfife
   check_lengths(const Case &run_case, const DynamicsOptions &dynamics, const OutputOptions &output)
   {
     if (!run_case.list_lengths(dynamics).empty() && !(output.checkpoint_every > 0))
-      throw InputError("Output/checkpoint every",
-                       "must be positive with Operation/tooth meshes = until steady: the run "
+      throw InputError("Output/checkpoint interval",
+                       "must be positive with Operation/mesh cycles = until steady: the run "
                        "continues from the checkpoint at its end");
   }
 
@@ -87,19 +87,19 @@ namespace vfife
           continue;
         if (once())
           {
-            log.line("the ripple is steady within ", lengths[i], " tooth meshes");
+            log.line("the ripple is steady within ", lengths[i], " mesh cycles");
             return;
           }
         if (last)
           {
             log.warning("the ripple is not steady after ",
                         lengths[i],
-                        " tooth meshes: Operation/most tooth meshes");
+                        " mesh cycles: Operation/maximum mesh cycles");
             return;
           }
         log.line("the ripple is not steady after ",
                  lengths[i],
-                 " tooth meshes: the run continues to ",
+                 " mesh cycles: the run continues to ",
                  lengths[i + 1]);
         checkpoint = read_checkpoint(folder.path(), folder.communicator(), log);
       }

@@ -90,18 +90,22 @@ namespace vfife
                      from,
                      "mm",
                      what + " begins here on the shaft: place along the axis from the apex");
-    declare_quantity(prm, "to", to, "mm", "Where it ends");
+    declare_quantity(prm, "to", to, "mm", "End of the place");
   }
 
   void ShaftSupports::Seat::declare_kind(dealii::ParameterHandler &prm)
   {
     const Choices<bool> kinds = {{"bearing", false}, {"rolling bearing", true}};
-    declare_choice(prm, "kind", rolls, kinds, "Linear law, or one of balls or rollers");
+    declare_choice(
+      prm, "kind", rolls, kinds, "Type of bearing: linear stiffness, or ball or roller bearing");
   }
 
   void ShaftSupports::declare_bearing_names(dealii::ParameterHandler &prm)
   {
-    declare_names(prm, "bearings", names_, "A subsection \"Bearing NAME\" for each");
+    declare_names(prm,
+                  "bearings",
+                  names_,
+                  "Names of bearings; each has a subsection \"Bearing NAME\"");
   }
 
   void ShaftSupports::declare_kinds(dealii::ParameterHandler &prm)
@@ -125,11 +129,11 @@ namespace vfife
       {
         const Subsection subsection(prm, "Bearing " + name);
         seat.declare_kind(prm);
-        seat.ring.declare(prm, "The bearing's seat");
+        seat.ring.declare(prm, "Beginning of the bearing seat");
         seat.law.declare(seat.rolls, prm);
       }
     const Subsection subsection(prm, "End");
-    end_.declare(prm, "The ring at which the machine drives or loads the shaft");
+    end_.declare(prm, "Beginning of the ring at which the machine drives or loads the shaft");
     coupling_.declare(prm);
   }
 

@@ -35,7 +35,7 @@ namespace vfife
     std::ostringstream text;
     set_figure_digits(text, 4);
     text << "Hertz's pressure of one tooth pair under all the torque, " << largest
-         << " MPa, is above the allowed " << limit << " MPa (Operation/allowed contact pressure)";
+         << " MPa, is above the allowed " << limit << " MPa (Operation/contact stress limit)";
     return text.str();
   }
 } // namespace vfife

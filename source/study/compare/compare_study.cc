@@ -78,12 +78,12 @@ namespace vfife
               prm,
               "entries",
               one.entries,
-              "What this case has otherwise than its file, as Compare/entries; {NAME} is "
-              "the folder of the results of case NAME");
+              "Entries that differ from the case's file, as Compare/entries; {NAME} is the "
+              "results folder of case NAME");
             declare_file_name(prm,
                               "results",
                               one.results,
-                              "Folder of results that are read instead of doing the case");
+                              "Folder with existing results, read instead of computing the case");
           }
       }
 
@@ -145,14 +145,14 @@ namespace vfife
 
   void CompareStudy::declare_own(dealii::ParameterHandler &prm)
   {
-    declare_text(prm, "title", title_, "What is compared with what, in a sentence");
-    declare_names(prm, "cases", names_, "What is run or read: a section Case NAME each");
+    declare_text(prm, "title", title_, "Title of the comparison");
+    declare_names(prm, "cases", names_, "Names of cases; each has a section Case NAME");
     declare_text(prm,
                  "entries",
                  entries_,
-                 "What all cases have otherwise than their files: \"Section/name = value\", "
+                 "Entries in which all cases differ from their files: \"Section/name = value\", "
                  "separated by semicolons");
-    declare_switch(prm, "pictures", pictures_, "Whether the report is written at the end");
+    declare_switch(prm, "report", pictures_, "Writes the report at the end");
     tolerances_.declare(prm);
   }
 

@@ -84,29 +84,37 @@ namespace vfife
     const auto fraction = [&prm](const char *name, double &value, const char *meaning) {
       declare_number(prm, name, value, meaning, Range::not_negative());
     };
-    fraction("frequency tolerance", frequency, "Of frequencies, part of the reference");
+    fraction("frequency tolerance",
+             frequency,
+             "Tolerance of frequencies, relative to the reference");
     fraction("transmission error tolerance",
              error,
-             "Of transmission errors of a slow pair, part of the static mean");
-    fraction("force tolerance", force, "Of contact forces and torques, part of the reference");
+             "Tolerance of transmission errors of a slow pair, relative to the static mean");
+    fraction("force tolerance",
+             force,
+             "Tolerance of contact forces and torques, relative to the reference");
     fraction("displacement tolerance",
              displacement,
-             "Of displacements of probes at rest, part of the reference");
-    fraction("stress tolerance", stress, "Of stresses of probes at rest, part of the reference");
+             "Tolerance of static displacements at probes, relative to the reference");
+    fraction("stress tolerance",
+             stress,
+             "Tolerance of static stresses at probes, relative to the reference");
     fraction("reduced transmission error tolerance",
              reduced_error,
-             "Of the mean transmission error against the reduced pair, part of the latter's");
+             "Tolerance of the mean transmission error against the reduced pair, relative "
+             "to the latter");
     fraction("reduced ripple tolerance",
              reduced_ripple,
-             "Of curves over the tooth mesh against the reduced pair, part of their peak to peak");
+             "Tolerance of curves over the mesh cycle against the reduced pair, relative "
+             "to their peak to peak");
     fraction("reduced order tolerance",
              reduced_order,
-             "Of amplitudes of mesh orders against the reduced pair, part of them");
+             "Tolerance of mesh order amplitudes against the reduced pair, relative to the latter");
     declare_quantity(prm,
-                     "slow",
+                     "quasi-static speed limit",
                      slow,
                      "rpm",
-                     "Pinion speed up to which a run is judged by the static pair",
+                     "Pinion speed up to which a run is compared with the static pair",
                      Range::not_negative());
   }
 } // namespace vfife

@@ -207,7 +207,7 @@ namespace vfife
           {
             log.warning(name + " has not settled: the last of " + number_text(step) +
                         " refinements changed it by " + number_text(100 * change_) +
-                        " %. Increase Linear static/Adaptive refinement/most steps, or choose a "
+                        " %. Increase Linear static/Adaptive refinement/maximum steps, or choose a "
                         "result that has a limit: stresses in sharp corners have none");
             return false;
           }
@@ -257,15 +257,16 @@ namespace vfife
     public:
       LinearStaticStudy()
       {
-        fem_.mass            = MassKind::lumped; // as the mass points of a run
-        fem_.linear_solver   = LinearSolverKind::direct;
-        output_.fields_every = 1;
+        fem_.mass          = MassKind::lumped; // as the mass points of a run
+        fem_.linear_solver = LinearSolverKind::direct;
       }
 
 
       void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override
       {
         case_ = make_case(file);
+        case_->set_defaults(dynamics_, output_);
+        output_.fields_every = 1;
         case_->declare(prm, file);
         dynamics_.declare(prm);
         output_.declare(prm);
@@ -335,37 +336,41 @@ namespace vfife
                    "loads",
                    at_time,
                    load_choices,
-                   "Loads and prescribed displacements in full, or as their histories say");
-    declare_quantity(prm, "time", time, "s", "At which histories are read, with loads = at time");
-    declare_switch(prm, "centrifugal", centrifugal, "Centrifugal force on bodies that turn");
+                   "full: loads and prescribed displacements at full size; at time: multiplied "
+                   "by their histories");
+    declare_quantity(
+      prm, "time", time, "s", "Time at which histories are evaluated, with loads = at time");
+    declare_switch(prm,
+                   "centrifugal",
+                   centrifugal,
+                   "Includes centrifugal forces on rotating bodies");
     declare_switch(prm,
                    "spin softening",
                    spin_softening,
-                   "Whether the centrifugal force acts on the displaced mass");
+                   "Includes spin softening: centrifugal force on the displaced mass");
     declare_switch(prm,
                    "stress stiffness",
                    stress_stiffness,
-                   "Whether stresses of the centrifugal force stiffen the bodies");
+                   "Includes stress stiffening by centrifugal stresses");
     const Subsection adaptive(prm, "Adaptive refinement");
     declare_text(prm,
                  "result",
                  adapted_result,
-                 "Result that ends the adaptive refinement: strain energy, largest displacement, "
-                 "largest von mises, or a probe and its quantity as a column of history.csv "
-                 "(\"hole von mises\"); empty: one mesh, without adaptive refinement");
+                 "Result that ends the adaptive refinement: strain energy, largest "
+                 "displacement, largest von mises, or quantity of a probe as a column of "
+                 "history.csv (\"hole von mises\"); empty: no adaptive refinement");
     declare_number(prm,
                    "tolerance",
                    adapted_tolerance,
-                   "Relative change of the result from one mesh to the next that ends the "
-                   "refinement",
+                   "Relative change of the result between two meshes at which the refinement ends",
                    Range::positive());
     declare_number(prm,
                    "marked part",
                    marked_part,
-                   "Part of the sum of squared error indicators that the elements hold which one "
-                   "step divides into eight: the fewest such elements",
+                   "Part of the sum of squared error indicators that the refined elements hold "
+                   "in each step; the fewest such elements are divided into eight",
                    Range::between(.05, 1.));
-    declare_integer(prm, "most steps", most_steps, "Refinements at most", 1, 20);
+    declare_integer(prm, "maximum steps", most_steps, "Maximum number of refinements", 1, 20);
   }
 
   void LinearStaticOptions::check() const

@@ -166,10 +166,10 @@ namespace vfife
                          LoadedPressure              &pressure,
                          Log                         &log) const;
 
-      /** A turn of the driver over one tooth mesh. */
+      /** A turn of the driver over one mesh cycle. */
       struct Position
       {
-        double meshes  = 0;     ///< from the reference position on [tooth meshes]
+        double meshes  = 0;     ///< from the reference position on [mesh cycles]
         bool   at_edge = false; ///< only forces of tooth pairs are looked at, at their edges
       };
 
@@ -242,8 +242,8 @@ namespace vfife
                    probes.table().numbers(column::von_mises)[row],
                    " MPa, ",
                    std::abs(after_mesh),
-                   after_mesh < 0. ? " tooth meshes before the mesh"
-                                   : " tooth meshes after the mesh");
+                   after_mesh < 0. ? " mesh cycles before the mesh"
+                                   : " mesh cycles after the mesh");
         }
     }
   } // namespace

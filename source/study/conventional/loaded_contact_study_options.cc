@@ -7,47 +7,48 @@ namespace vfife
 {
   void LoadedContactOptions::declare(dealii::ParameterHandler &prm)
   {
-    declare_integer(
-      prm,
-      "positions",
-      positions,
-      "Positions over one tooth mesh, in equal steps; from 4 on two more where edges of teeth have "
-      "their largest forces (loaded_teeth.csv alone); 1: its begin alone",
-      1,
-      1000);
     declare_integer(prm,
-                    "first tooth mesh",
+                    "positions",
+                    positions,
+                    "Number of positions over one mesh cycle, equally spaced; from 4 on, two more "
+                    "at which tooth edges have their largest forces (loaded_teeth.csv only); 1: "
+                    "only its beginning",
+                    1,
+                    1000);
+    declare_integer(prm,
+                    "first position",
                     first_mesh,
-                    "Tooth meshes after the reference position at which the positions begin: which "
-                    "teeth carry, where errors make them unequal",
+                    "First position, in mesh cycles after the reference position; selects the "
+                    "teeth in contact where tooth deviations make teeth unequal",
                     0,
                     100000);
-    declare_switch(prm, "centrifugal", centrifugal, "Whether both bodies spin at their speeds");
-    declare_integer(
+    declare_switch(prm,
+                   "centrifugal",
+                   centrifugal,
+                   "Includes centrifugal forces of both bodies at their speeds");
+    declare_integer(prm,
+                    "coupled modes",
+                    coupled_modes,
+                    "Number of natural vibrations of the pair in contact at the reference "
+                    "position, from the lowest; 0: none",
+                    0,
+                    1000);
+    declare_number_or_word(
       prm,
-      "coupled modes",
-      coupled_modes,
-      "Lowest natural vibrations of the pair in contact at the reference position; 0: "
-      "none",
+      "pressure cells",
+      pressure_cells,
+      "auto",
+      "Elements across the width of each contact on the contact's own grid, which gives load "
+      "sharing and pressures; 10 to 20 are sufficient; 0: no pressures, load sharing by the "
+      "penalty; auto: 16 with Contact/penalty = auto, 0 with a given penalty",
       0,
-      1000);
-    declare_number_or_word(prm,
-                           "pressure cells",
-                           pressure_cells,
-                           "auto",
-                           "Cells over the width of each contact on its own grid, by which the "
-                           "teeth share the load and have their pressures; 10 to 20 are enough; 0: "
-                           "no pressures, and the load is shared by the penalty; auto: 16 with "
-                           "Contact/penalty = auto, 0 with a given one",
-                           0,
-                           64);
-    declare_quantity(
-      prm,
-      "pressure depth",
-      pressure_depth,
-      "mm",
-      "Least depth of the layers under the flanks whose flexibility is exact there; 0: "
-      "one and a half widths of Hertz's contact under the whole load",
-      Range::not_negative());
+      64);
+    declare_quantity(prm,
+                     "pressure depth",
+                     pressure_depth,
+                     "mm",
+                     "Minimum depth of the layer under the flanks whose flexibility is exact on "
+                     "that grid; 0: one and a half Hertzian contact widths under the whole load",
+                     Range::not_negative());
   }
 } // namespace vfife

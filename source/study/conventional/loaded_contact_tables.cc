@@ -16,7 +16,7 @@ namespace vfife
     Table make_table_over_positions(const SampleColumns<Sample> &columns)
     {
       Table table;
-      table.add_column(column::position, "tooth meshes");
+      table.add_column(column::position, "mesh cycles");
       columns.add_to(table);
       return table;
     }
@@ -25,7 +25,7 @@ namespace vfife
   Table make_loaded_contact_table()
   {
     Table table;
-    table.add_column(column::position, "tooth meshes");
+    table.add_column(column::position, "mesh cycles");
     table.add_column(column::angle_of("pinion"), "deg");
     table.add_column(column::unloaded_transmission_error, "arcsec");
     table.add_column(column::transmission_error, "arcsec");
@@ -46,7 +46,7 @@ namespace vfife
   Table make_loaded_teeth_table()
   {
     Table table;
-    table.add_column(column::position, "tooth meshes");
+    table.add_column(column::position, "mesh cycles");
     table.add_text_column(column::side);
     table.add_column(column::tooth_of("pinion"), "-");
     table.add_column(column::tooth_of("gear"), "-");
@@ -102,7 +102,7 @@ namespace vfife
     const auto mean = [](const std::vector<double> &values) {
       return std::accumulate(values.begin(), values.end(), 0.) / values.size();
     };
-    // Each position of a tooth mesh counts alike.
+    // Each position of a mesh cycle counts alike.
     for (const char *name : {column::transmission_error, column::unloaded_transmission_error})
       {
         const Table::Column &error = positions.column(name);

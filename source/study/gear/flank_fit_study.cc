@@ -108,34 +108,37 @@ namespace vfife
                    member,
                    Choices<DrivingMember>{{"pinion", DrivingMember::pinion},
                                           {"gear", DrivingMember::gear}},
-                   "Whose flank is measured");
+                   "Member with the measured flank");
     declare_choice(prm,
                    "flank",
                    side,
                    Choices<FlankSide>{{"concave", FlankSide::concave},
                                       {"convex", FlankSide::convex}},
-                   "Which of its flanks");
-    declare_file_name(
-      prm,
-      "measured flank",
-      measured,
-      "Points (columns x, y, z [mm], in the member's frame on tooth 0) or a grid of "
-      "deviations from the flank as designed [um]; empty: grids alone are written");
-    declare_names(prm, "settings", settings, "Machine settings that are found, by their entries");
+                   "Measured flank");
+    declare_file_name(prm,
+                      "measured flank",
+                      measured,
+                      "Measured flank: points (columns x, y, z [mm], in the member's frame, on "
+                      "tooth 0) or a grid of deviations from the designed flank [um]; empty: only "
+                      "grids are written");
+    declare_names(prm,
+                  "settings",
+                  settings,
+                  "Machine settings to identify, by the names of their entries");
     declare_text(prm,
                  "largest changes",
                  largest_changes,
-                 "Largest change of each of the settings, in their order, such as 0.1 mm, 0.2 deg; "
-                 "empty: without limits");
+                 "Maximum change of each machine setting, in the same order, such as 0.1 mm, "
+                 "0.2 deg; empty: no limits");
     declare_switch(prm,
                    "free turn",
                    free_turn,
-                   "Whether the flank's place about the axis is found");
+                   "Also identifies the angular position of the flank about the axis");
     declare_number(prm,
                    "threshold",
                    threshold,
-                   "Combinations of settings that change the flank by less than this part of the "
-                   "one that changes it most stay as they are",
+                   "Combinations of settings whose effect on the flank is below this part of the "
+                   "largest effect are not changed",
                    Range::between(0., 0.5));
     declare_section(prm, "Grid", grid);
   }

@@ -123,7 +123,7 @@ namespace vfife
                    mode.frequency,
                    " Hz, damping ratio ",
                    mode.damping_ratio,
-                   ", excited by the tooth mesh at ",
+                   ", excited by the gear mesh at ",
                    60 * mode.frequency / model.pair().driver_teeth,
                    " rpm");
     }
@@ -144,7 +144,7 @@ namespace vfife
         Subsection section(prm, "Lumped");
         run_.declare(prm);
         sweep_.declare(prm);
-        declare_switch(prm, "pictures", pictures_, "Whether the report is written at the end");
+        declare_switch(prm, "report", pictures_, "Writes the report at the end");
       }
 
       void check() const override

@@ -78,13 +78,14 @@ namespace vfife
     declare_integer(prm,
                     "flank points lengthwise",
                     lengthwise,
-                    "Points of the true flanks from toe to heel in flank_points_BODY.csv; 0: none",
+                    "Number of exact flank points from toe to heel in flank_points_BODY.csv; 0: "
+                    "none",
                     0,
                     10000);
     declare_integer(prm,
                     "flank points profile",
                     profile,
-                    "Points from the start of the flank to the tip",
+                    "Number of exact flank points from the start of the flank to the tip",
                     0,
                     10000);
   }
@@ -100,8 +101,7 @@ namespace vfife
     if ((lengthwise != 0 || profile != 0) && (lengthwise < 2 || profile < 2))
       throw InputError(
         section + "/flank points lengthwise",
-        "flank points need at least 2 lengthwise and 2 along the profile (or 0 and 0 "
-        "for none)");
+        "flank points need at least 2 lengthwise and 2 along the profile (or 0 and 0 for none)");
   }
 
   void MeshStudy::run(OutputFolder &folder, Log &log)

@@ -193,10 +193,10 @@ namespace vfife
                fixed(most, 3),
                " arcsec over ",
                meshes,
-               " tooth meshes; the same teeth are in contact again after ",
+               " mesh cycles; the same teeth are in contact again after ",
                cycle);
       log.line("                      all figures above are of the errors that all teeth share");
-      json["unequal teeth"] = figures_json({{"tooth meshes", {double(meshes), "-"}},
+      json["unequal teeth"] = figures_json({{"mesh cycles", {double(meshes), "-"}},
                                             {"hunting cycle", {cycle, "-"}},
                                             {"least transmission error", {least, "arcsec"}},
                                             {"largest transmission error", {most, "arcsec"}},

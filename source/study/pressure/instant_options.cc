@@ -37,10 +37,10 @@ namespace vfife
     struct Instant
     {
       double value;
-      bool   is_time; ///< [s], else tooth meshes
+      bool   is_time; ///< [s], else mesh cycles
     };
 
-    /** A number alone counts tooth meshes. */
+    /** A number alone counts mesh cycles. */
     Instant read_instant(const std::string &text)
     {
       const std::optional<double> meshes = plain_number(text);
@@ -71,33 +71,34 @@ namespace vfife
       prm,
       "instants",
       instants,
-      "Instants at which pressures of all teeth in contact are found on grids of "
-      "their own, which neither mesh nor penalty makes: tooth meshes since the start, "
-      "as 12.5, or times, as 1.4 ms");
+      "Instants at which pressures of all teeth in contact are computed on the "
+      "contact's own grid, independent of mesh and penalty: mesh cycles since the "
+      "start, as 12.5, or times, as 1.4 ms");
     declare_number(prm,
                    "every",
                    every,
-                   "Tooth meshes from one to the next of more such instants at the end of the run, "
-                   "as 0.125; 0: no more",
+                   "Interval of further such instants at the end of the run, in mesh cycles, as "
+                   "0.125; 0: none",
                    Range::not_negative());
     declare_number(prm,
                    "last",
                    last,
-                   "Tooth meshes before the end of the run with the instants of every; one holds "
+                   "Length of the end of the run with these instants, in mesh cycles; 1 covers "
                    "the whole engagement of a tooth; 0: the whole run",
                    Range::not_negative());
     declare_integer(prm,
                     "pressure cells",
                     cells,
-                    "Cells of a grid over the width of each contact; 10 to 20 are enough",
+                    "Elements of the contact's own grid across the width of each contact; 10 to "
+                    "20 are sufficient",
                     4,
                     64);
     declare_quantity(prm,
                      "pressure depth",
                      depth,
                      "mm",
-                     "Least depth of the layers under the flanks whose flexibility is exact there; "
-                     "0: one and a half widths of Hertz's contact under the whole load",
+                     "Minimum depth of the layer under the flanks whose flexibility is exact on "
+                     "that grid; 0: one and a half Hertzian contact widths under the whole load",
                      Range::not_negative());
   }
 
@@ -118,7 +119,7 @@ namespace vfife
     const double        end = pair.meshes(end_time);
     std::vector<double> times;
     const auto          say_end = [&] {
-      return "the end of the run, after " + rounded(end) + " tooth meshes, " +
+      return "the end of the run, after " + rounded(end) + " mesh cycles, " +
              rounded(1e3 * end_time) + " ms";
     };
     for (const std::string &text : instants)
@@ -133,14 +134,13 @@ namespace vfife
     if (every > 0)
       {
         if (last > end * (1. + 1e-9))
-          throw InputError(path_of("last"),
-                           rounded(last) + " tooth meshes lie before " + say_end());
+          throw InputError(path_of("last"), rounded(last) + " mesh cycles lie before " + say_end());
         const double span = last > 0 ? last : end;
         if (every > span * (1. + 1e-9))
           throw InputError(path_of("every"),
-                           rounded(every) + " tooth meshes are more than the " + rounded(span) +
+                           rounded(every) + " mesh cycles are more than the " + rounded(span) +
                              " with such instants (" + path_of("last") + ")");
-        // The end stands where the first of them does, a tooth mesh or several later.
+        // The end stands where the first of them does, a mesh cycle or several later.
         const double n = std::ceil(span / every * (1. - 1e-9));
         if (n > most_instants)
           throw InputError(path_of("every"),

@@ -16,7 +16,7 @@ namespace vfife
     {
       if (rows == PressureRows::instants)
         table.add_column(column::time, "s");
-      table.add_column(column::position, "tooth meshes");
+      table.add_column(column::position, "mesh cycles");
       table.add_column(column::tooth_of("pinion"), "-");
       table.add_column(column::tooth_of("gear"), "-");
     }
@@ -50,7 +50,7 @@ namespace vfife
   {
     Table table;
     add_position_columns(rows, table);
-    table.add_column(column::after_mesh, "tooth meshes");
+    table.add_column(column::after_mesh, "mesh cycles");
     table.add_column(column::force, "N");
     table.add_column(column::torque, "N m");
     table.add_column("share of torque", "-");

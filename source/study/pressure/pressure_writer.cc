@@ -106,7 +106,7 @@ namespace vfife
       largest = std::max(largest, tooth.grid.pressures[tooth.grid.largest()]);
     log_.line("pressure on its own grid after ",
               at,
-              " tooth meshes: ",
+              " mesh cycles: ",
               teeth.size(),
               " teeth, largest ",
               largest,
@@ -134,7 +134,7 @@ namespace vfife
           {
             log_.warning("no pressure on its own grid after ",
                          model.transmission->meshes(state.time),
-                         " tooth meshes, teeth ",
+                         " mesh cycles, teeth ",
                          tooth.slave_group,
                          " and ",
                          tooth.master_group,

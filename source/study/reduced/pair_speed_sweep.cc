@@ -22,13 +22,13 @@ namespace vfife
 {
   namespace
   {
-    /** Decay times in a step of the slow tooth mesh, and steps in it: a vibration is gone within a
+    /** Decay times in a step of the slow mesh cycle, and steps in it: a vibration is gone within a
      * few of them. What acts is the mean of the forces at both ends of a step: in steps of several
      * decay times the load alone would turn the gear far, and forces go to and fro. */
     constexpr double       slow_decay_times = .5;
     constexpr unsigned int slow_steps       = 300;
 
-    /** Where the pair starts, in tooth meshes after the start of the slow one: that is the second
+    /** Where the pair starts, in mesh cycles after the start of the slow one: that is the second
      * one, the first one settles. */
     constexpr double slow_mesh_start = -1;
 
@@ -41,22 +41,23 @@ namespace vfife
     declare_number(prm,
                    "settling decay times",
                    settling_decay_times,
-                   "So long at least a speed of a sweep settles: times in which Dynamics/damping "
-                   "lets a vibration fall to 1/e",
+                   "Minimum settling time at each speed of a sweep, in decay times: one lets a "
+                   "vibration decay to 1/e by Dynamics/mass proportional damping",
                    Range::not_negative());
     declare_number(prm,
                    "allowed amplification",
                    allowed_amplification,
-                   "Of contact force over its mean and of stresses over those without vibration, "
-                   "in a sweep: exceedances.csv has the speeds with more. 0: nothing is judged",
+                   "Limit of the amplification in a sweep: contact force divided by its mean, "
+                   "stress divided by stress without vibration; exceedances.csv lists the speeds "
+                   "above it; 0: no limit",
                    Range::not_negative());
     declare_quantity(prm,
                      "highest frequency",
                      highest_frequency,
                      "Hz",
-                     "Of vibrations of transmission error, force and stress that a sweep looks "
-                     "at: near the cut-off those of reduced bodies are not real. 0: half the "
-                     "cut-off",
+                     "Highest frequency of transmission error, force and stress that a sweep "
+                     "evaluates; vibrations near the cutoff frequency are not physical; 0: half "
+                     "the cutoff frequency",
                      Range::not_negative());
   }
 
@@ -121,7 +122,7 @@ namespace vfife
   Table make_swept_teeth_table()
   {
     Table table;
-    table.add_column(column::position, "tooth meshes");
+    table.add_column(column::position, "mesh cycles");
     table.add_text_column(column::side);
     table.add_column(column::tooth_of("pinion"), "-");
     table.add_column(column::force, "N");
@@ -352,7 +353,7 @@ namespace vfife
              found.largest_force,
              " N, ",
              settling,
-             " tooth meshes to settle, of ",
+             " mesh cycles to settle, of ",
              steps,
              " steps");
   }

@@ -89,7 +89,7 @@ namespace vfife
         else
           check_lengths(gear_case_, dynamics_, output_);
         if (dynamics_.damping_rate != DampingRate::momentum)
-          throw InputError("Dynamics/damping rate",
+          throw InputError("Dynamics/damping reference",
                            "must be momentum, because modes are damped relative to this rate");
       }
 
@@ -107,7 +107,7 @@ namespace vfife
                  least_cutoff(),
                  " Hz, ",
                  n_steps_of_mesh(least_cutoff()),
-                 " steps in a tooth mesh");
+                 " steps per mesh cycle");
         report_checks(model, log);
       }
 
@@ -137,7 +137,7 @@ namespace vfife
                            "without gauges. Use single speeds (kind sweep) for gauges");
         if (sweep_options_.settling_decay_times > 0 && !(dynamics_.mass_damping() > 0))
           throw InputError("Reduced/settling decay times",
-                           "requires Dynamics/damping or Dynamics/damping ratio");
+                           "requires Dynamics/mass proportional damping or Dynamics/damping ratio");
       }
       /** Whether one motion is computed, not one at each of many speeds. */
       bool is_motion() const
@@ -157,7 +157,7 @@ namespace vfife
                                     ReducedOptions::rings_of_motions * gear_case_.ring_rate() /
                                       (2 * pi));
       }
-      /** Of a tooth mesh at the largest speed. */
+      /** Of a mesh cycle at the largest speed. */
       unsigned int n_steps_of_mesh(const double cutoff) const
       {
         return options_.find_steps(gear_case_.mesh_frequency() * largest_factor(),
@@ -319,7 +319,7 @@ namespace vfife
       RunSummary summary = start_summary("reduced", model, folder);
       summary.figures    = results.list_figures(penalty, gear_case_.arm_range());
       summary.figures.push_back({"cut-off frequency", {motion.cutoff, "Hz"}});
-      summary.figures.push_back({"steps in a tooth mesh", {double(motion.steps_per_mesh), "-"}});
+      summary.figures.push_back({"steps per mesh cycle", {double(motion.steps_per_mesh), "-"}});
       summary.contradictions = report_checks(model, log);
       summary.cause          = gear_case_.find_cause();
       say_nearest_wave(model, motion, pair, log, summary);
@@ -402,8 +402,8 @@ namespace vfife
                motion.steps_per_mesh,
                " steps of ",
                1e9 * motion.options.step,
-               largest_factor() == 1. ? " ns in a tooth mesh"
-                                      : " ns in a tooth mesh at the largest speed");
+               largest_factor() == 1. ? " ns in a mesh cycle"
+                                      : " ns in a mesh cycle at the largest speed");
       ReducedPair  pair(model, std::move(bodies), motion.options);
       NamedFigures at_start =
         find_start_stresses(model, dynamics_, settled.compliance.get(), communicator, log);

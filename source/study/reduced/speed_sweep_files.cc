@@ -62,7 +62,7 @@ namespace vfife
                     resonance.numbers(column::speed)[worst],
                     " rpm: ",
                     1e2 * errors[worst],
-                    " %; smaller steps: Reduced/steps per mesh, Reduced/steps per mode");
+                    " %; smaller steps: Reduced/steps per mesh cycle, Reduced/steps per mode");
     }
   } // namespace
 

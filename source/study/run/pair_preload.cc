@@ -251,7 +251,7 @@ namespace vfife
               preload_.swing.frequency(),
               " Hz, ",
               model_.transmission->mesh_frequency() / preload_.swing.frequency(),
-              " tooth meshes per period: stiffness ",
+              " mesh cycles per period: stiffness ",
               1e-3 * preload_.swing.stiffness,
               " N m/rad, inertia of the shape ",
               1e3 * preload_.swing.inertia,

@@ -13,8 +13,8 @@ namespace vfife
 {
   namespace
   {
-    /** Tooth meshes of a run after which a probe has its largest stress: two thirds. Stress rises
-     * in 4 to 16 tooth meshes and falls over 15 to 60, so that what is nearest to the steady value
+    /** Mesh cycles of a run after which a probe has its largest stress: two thirds. Stress rises
+     * in 4 to 16 mesh cycles and falls over 15 to 60, so that what is nearest to the steady value
      * lies before the peak. */
     unsigned int peak_mesh(const unsigned int meshes)
     {
@@ -55,7 +55,7 @@ namespace vfife
                   n,
                   " of ",
                   meshes_,
-                  " tooth meshes");
+                  " mesh cycles");
         probe = list_copies(model_, probe)[(place + z - n % z) % z];
       }
   }
@@ -74,7 +74,7 @@ namespace vfife
         log_.line(probe.name,
                   meshes < 0 ? ": passed the contact " : ": passes the contact after ",
                   meshes < 0 ? -meshes : meshes,
-                  meshes < 0 ? " tooth meshes before the start" : " tooth meshes");
+                  meshes < 0 ? " mesh cycles before the start" : " mesh cycles");
       }
   }
 

@@ -78,7 +78,7 @@ namespace vfife
       return;
     const unsigned int most = RimWriter::count_diameters(model_);
     if (*std::max_element(diameters.begin(), diameters.end()) > most)
-      throw InputError("Output/stress waves",
+      throw InputError("Output/stress wave diameters",
                        "expected at most " + std::to_string(most) + " nodal diameters");
     wave_places_.emplace(model_, records_teeth_ ? &*fillets_ : nullptr);
     observers.add<ProbeWaveWriter>(
@@ -90,7 +90,7 @@ namespace vfife
 
   void PairResults::record_parts(const DynamicsOptions &dynamics, RunObservers &observers)
   {
-    // The deformation stands in space, and bodies turn by a sector in a tooth mesh: a few positions
+    // The deformation stands in space, and bodies turn by a sector in a mesh cycle: a few positions
     // of it have its largest stresses.
     constexpr unsigned int looks = 4;
     const std::uint64_t    every = std::max(1u, output_.history_every / looks);
@@ -193,7 +193,7 @@ namespace vfife
     double ramp_end = 0;
     for (const Torque &torque : model_.torques)
       ramp_end = std::max(ramp_end, torque.ramp_time);
-    // Means are compared over swing periods, here in tooth meshes: f_mesh/f_swing. Under a growing
+    // Means are compared over swing periods, here in mesh cycles: f_mesh/f_swing. Under a growing
     // torque nothing is steady.
     const double period = model_.transmission->mesh_frequency() / swing_frequency;
     summary.steady      = find_steady_part(history, output_.history_every, period, ramp_end);
@@ -205,11 +205,12 @@ namespace vfife
         summary.figures.push_back({figure_name::steady_meshes, {double(needed), "-"}});
         log.line("a steady ripple requires at least ",
                  needed,
-                 " tooth meshes: vibrations decay to a tenth in the first half, the second half is "
+                 " mesh cycles: vibrations decay to a tenth in the first half, the second half is "
                  "judged");
       }
     else
-      log.line("vibrations do not decay without damping and mesh damping: no ripple is steady");
+      log.line("vibrations do not decay without mass proportional damping and driven speed "
+               "damping: no ripple is steady");
     for (const char *name : {column::contact_force_total, column::dte, column::rim_dte})
       {
         const ColumnStatistics &c = summary.steady->column(name);

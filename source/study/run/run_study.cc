@@ -46,7 +46,7 @@ namespace vfife
     /** Beyond it --check names what makes a run short [s]. */
     constexpr double long_wait = 300;
 
-    /** Whether a pair has more elements and tooth meshes than a first look needs. */
+    /** Whether a pair has more elements and mesh cycles than a first look needs. */
     bool is_large(const Model &model, const double end_time)
     {
       constexpr std::size_t  first_elements = 30000;
@@ -84,7 +84,7 @@ namespace vfife
     void log_early_end(const double end_time, const double whole_time, Log &log)
     {
       if (end_time < whole_time)
-        log.line("ended after Dynamics/largest number of steps, ",
+        log.line("ended after Dynamics/maximum number of steps, ",
                  1e3 * end_time,
                  " of ",
                  1e3 * whole_time,
@@ -292,7 +292,7 @@ namespace vfife
              communicator.size() == 1 ? " rank" : " ranks",
              dynamics_.start == Start::undeformed ? "" : ", plus the equilibrium before the start");
     if (model.transmission && run_time > long_wait && is_large(model, case_->end_time()))
-      log.line("for a shorter run set Gear pair/mesh = coarse, Operation/tooth meshes = 14");
+      log.line("for a shorter run set Gear pair/mesh = coarse, Operation/mesh cycles = 14");
     report_contradictions(model, stepped, run_time, log);
   }
 

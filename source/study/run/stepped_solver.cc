@@ -94,7 +94,7 @@ namespace vfife
              " ns");
     if (model.transmission)
       log.line(std::lround(1. / (model.transmission->largest_mesh_frequency() * dt)),
-               " steps per tooth mesh",
+               " steps per mesh cycle",
                model.transmission->has_constant_rate() ? "" : " at the largest speed");
     // What the mesh would allow without its worst elements: whether a few of them cost all the
     // time.

@@ -233,37 +233,35 @@ namespace vfife
 
   void HistoryFigure::declare(dealii::ParameterHandler &prm)
   {
-    declare_choice(
-      prm,
-      "table",
-      table,
-      figure_table_choices(),
-      "Of which column is one. Of others than histories there are mean, largest, where "
-      "largest, smallest and largest size, of all rows: of all tooth pairs, speeds, "
-      "places");
-    declare_text(prm, "column", column, "Column of the table, without its unit");
+    declare_choice(prm,
+                   "table",
+                   table,
+                   figure_table_choices(),
+                   "Table with the column. Histories have all values below; other tables have "
+                   "mean, largest, where largest, smallest and largest size, over all rows "
+                   "(tooth pairs, speeds, places)");
+    declare_text(prm, "column", column, "Name of the column, without its unit");
     declare_choice(prm,
                    "value",
                    value,
                    figure_value_choices(),
-                   "What is taken of the column; where largest: the time or speed of the largest; "
-                   "change: last over first minus one; half: of the "
-                   "largest value; zero crossing rate: a vibration's frequency; periodic share: "
-                   "part of the variance that repeats with the tooth mesh; trend: slope of the "
-                   "meshes' means, a tooth mesh");
-    declare_quantity(
-      prm,
-      "from",
-      from,
-      "s",
-      "Samples from this time on, as when the start's swing has died out; of tables over "
-      "time",
-      Range::not_negative());
+                   "Value of the column. where largest: time or speed of the largest value; "
+                   "change: last divided by first, minus one; half: time of half the largest "
+                   "value; zero crossing rate: frequency of a vibration; periodic share: part of "
+                   "the variance that repeats with the mesh cycle; trend: slope of the means per "
+                   "mesh cycle");
+    declare_quantity(prm,
+                     "from",
+                     from,
+                     "s",
+                     "Samples from this time on, after the initial vibration has decayed; for "
+                     "tables over time",
+                     Range::not_negative());
     declare_text(prm,
                  "reference",
                  reference,
-                 "What it should be, a number in the unit of the results; with it errors and "
-                 "orders of convergence are stated");
+                 "Reference value in the unit of the results; the table then has errors and "
+                 "orders of convergence");
   }
 
   void HistoryFigure::check(const std::string &section) const

@@ -100,7 +100,7 @@ namespace vfife
   std::vector<double> SweepStudy::Parameter::list_sizes() const
   {
     std::vector<double> list;
-    check_commas("sizes", sizes);
+    check_commas("relative element sizes", sizes);
     for (const std::string &text : split(sizes, ','))
       list.push_back(plain_number(text).value_or(0.)); // no size, as zero
     return list;
@@ -108,47 +108,45 @@ namespace vfife
 
   void SweepStudy::declare_own(dealii::ParameterHandler &prm)
   {
-    static const Choices<Combination> combinations = {{"product", Combination::product},
+    static const Choices<Combination> combinations = {{"grid", Combination::product},
                                                       {"list", Combination::list}};
     declare_file_name(prm, "base", base_, "Parameter file of the case, relative to this file");
-    declare_names(prm, "parameters", names_, "What is varied: a section Parameter NAME each");
-    declare_choice(
-      prm,
-      "combination",
-      combination_,
-      combinations,
-      "Runs for all combinations of values (the last parameter changes fastest), or for "
-      "the first values of all parameters, the second ones and so on");
+    declare_names(prm,
+                  "parameters",
+                  names_,
+                  "Names of varied parameters; each has a section Parameter NAME");
+    declare_choice(prm,
+                   "combination",
+                   combination_,
+                   combinations,
+                   "grid: all combinations of the values, the last parameter changes fastest; "
+                   "list: first values of all parameters, then second values, and so on");
     declare_text(prm,
                  "entries",
                  entries_,
-                 "What all runs have otherwise than that file: \"Section/name = value\", separated "
-                 "by semicolons");
+                 "Entries in which all runs differ from the base file: \"Section/name = value\", "
+                 "separated by semicolons");
     declare_names(prm,
-                  "beside",
+                  "reference folders",
                   beside_,
-                  "Folders of results that the report draws beside the runs: of a loaded tooth "
-                  "contact analysis with coupled modes, of a lumped model or a reduced pair with a "
-                  "sweep of speeds");
-    declare_names(
-      prm,
-      "error by",
-      error_by_,
-      "Those of the parameters that are numerical, their values from the coarsest to the "
-      "finest: they are varied one by one, and figures get errors by them");
+                  "Folders of results that the report shows beside the runs: a loaded tooth "
+                  "contact analysis with coupled modes, a lumped model or a reduced pair with a "
+                  "speed sweep");
+    declare_names(prm,
+                  "numerical parameters",
+                  error_by_,
+                  "Numerical parameters, with values from the coarsest to the finest; they are "
+                  "varied one by one, and results get error estimates from them");
     declare_integer(prm,
                     "ranks per run",
                     ranks_per_run_,
-                    "Ranks that do a run together, while others do other runs; 0: all");
+                    "Number of ranks per run, while other ranks do other runs; 0: all ranks");
     declare_names(prm,
                   "figures",
                   figure_names_,
-                  "Further columns of the table, taken of the histories: a section Figure NAME "
-                  "each");
-    declare_switch(prm,
-                   "pictures",
-                   pictures_,
-                   "Whether the report of all runs is written at the end");
+                  "Names of further columns of the table, taken from the histories; each has a "
+                  "section Figure NAME");
+    declare_switch(prm, "report", pictures_, "Writes the report of all runs at the end");
   }
 
   void SweepStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
@@ -178,18 +176,17 @@ namespace vfife
           parameters_[i].entry,
           "The entry with its sections, as Gear pair/Gear/Body/web thickness; several of "
           "them separated by semicolons");
-        declare_text(
-          prm,
-          "values",
-          parameters_[i].values,
-          "Values separated by commas; by semicolons where a value has commas; with several "
-          "entries a value is one for each of them, separated by |");
-        declare_text(
-          prm,
-          "sizes",
-          parameters_[i].sizes,
-          "Of a numerical parameter: relative size of each value, falling numbers separated "
-          "by commas; empty: by the values themselves, or by the cells of the runs");
+        declare_text(prm,
+                     "values",
+                     parameters_[i].values,
+                     "Values separated by commas, or by semicolons if a value contains commas; "
+                     "with several entries one value per entry, separated by |");
+        declare_text(prm,
+                     "relative element sizes",
+                     parameters_[i].sizes,
+                     "Relative element size of each value of a numerical parameter: falling "
+                     "numbers separated by commas; empty: from the values, or from the numbers of "
+                     "elements of the runs");
       }
   }
 
@@ -254,7 +251,7 @@ namespace vfife
     check_columns();
     for (const std::string &folder : beside_)
       if (!can_stand_beside(folder))
-        throw InputError("Sweep/beside",
+        throw InputError("Sweep/reference folders",
                          "the folder \"" + folder +
                            "\" has neither coupled modes (coupled_modes.csv) nor a sweep of speeds "
                            "(resonance.csv)");

@@ -28,7 +28,7 @@ namespace vfife
   {
     for (const std::string &name : error_by_)
       if (std::count(names_.begin(), names_.end(), name) == 0)
-        throw InputError("Sweep/error by",
+        throw InputError("Sweep/numerical parameters",
                          "\"" + name + "\" is not one of the parameters (" + list_of(names_) + ")" +
                            did_you_mean(name, names_));
     for (const Parameter &parameter : parameters_)
@@ -43,12 +43,12 @@ namespace vfife
         if (sizes.empty())
           continue;
         if (!is_numerical(parameter))
-          throw InputError(section + "/sizes",
-                           "requires \"" + parameter.name + "\" in Sweep/error by");
+          throw InputError(section + "/relative element sizes",
+                           "requires \"" + parameter.name + "\" in Sweep/numerical parameters");
         const bool falls =
           std::adjacent_find(sizes.begin(), sizes.end(), std::less_equal<>()) == sizes.end();
         if (sizes.size() != n || !falls || !(sizes.back() > 0))
-          throw InputError(section + "/sizes",
+          throw InputError(section + "/relative element sizes",
                            "\"" + parameter.sizes + "\" must be " + std::to_string(n) +
                              " decreasing positive numbers, one for each value");
       }

@@ -24,7 +24,7 @@ namespace vfife
 {
   namespace
   {
-    /** probe_waves.csv or fillet_waves.csv: its rows at the start and of the last tooth mesh. */
+    /** probe_waves.csv or fillet_waves.csv: its rows at the start and of the last mesh cycle. */
     class WaveTable
     {
     public:
@@ -43,7 +43,7 @@ namespace vfife
           }
         const std::size_t at_start = std::count(weights_.begin(), weights_.end(), 0.);
         if (n_rows() != at_start * (schedule.samples + 1))
-          throw InputError("\"" + path + "\" does not have the start and the last tooth mesh");
+          throw InputError("\"" + path + "\" does not have the start and the last mesh cycle");
       }
 
       std::size_t n_rows() const
@@ -107,11 +107,11 @@ namespace vfife
     // They come last and win.
     for (const std::string &entry : {std::string("Study/kind=run"),
                                      "Operation/speed=" + number_text(speed * 30. / pi) + " rpm",
-                                     "Operation/tooth meshes=" + std::to_string(n_meshes),
+                                     "Operation/mesh cycles=" + std::to_string(n_meshes),
                                      std::string("Operation/end time=0 s"),
-                                     "Output/stress waves=" + std::to_string(diameters),
-                                     std::string("Output/fields every=0"),
-                                     std::string("Output/pictures=no")})
+                                     "Output/stress wave diameters=" + std::to_string(diameters),
+                                     std::string("Output/field output interval=0"),
+                                     std::string("Output/report=no")})
       study.overrides.push_back(entry);
     return study;
   }
@@ -131,7 +131,7 @@ namespace vfife
               schedule.speed * 30. / pi,
               " rpm, ",
               schedule.n_meshes(),
-              " tooth meshes");
+              " mesh cycles");
     const CaseReport report = runner_.do_case(line, resumes_, ranks);
     log_.line(name, " ", report.describe());
     if (report.outcome == Outcome::interrupted)

@@ -23,69 +23,71 @@ namespace vfife
                      "lowest speed",
                      lowest_speed,
                      "rpm",
-                     "Of the pinion: waves are met from here on, by the speed in contact; 0: from "
-                     "rest on",
+                     "Lowest pinion speed at which waves are searched, by the speed in contact; 0: "
+                     "from rest",
                      Range::not_negative());
     declare_quantity(prm,
                      "highest speed",
                      highest_speed,
                      "rpm",
-                     "Of the pinion: up to here, and speed at which the bodies are reduced",
+                     "Highest pinion speed at which waves are searched; the bodies are reduced at "
+                     "this speed",
                      Range::not_negative());
-    declare_number_list(prm,
-                        "diameters",
-                        diameters,
-                        "Numbers of nodal diameters of the gear's waves; 0: all sectors move "
-                        "alike, as an umbrella",
-                        ListNumbers::whole);
+    declare_number_list(
+      prm,
+      "nodal diameters",
+      diameters,
+      "Nodal diameters of the gear's waves; 0: all sectors in phase (umbrella mode)",
+      ListNumbers::whole);
     declare_integer(prm,
-                    "wave orders",
+                    "modes per diameter",
                     wave_orders,
-                    "Waves of each number of diameters and direction, from the lowest on",
-                    1,
-                    100);
-    declare_integer(prm,
-                    "mesh harmonics",
-                    mesh_orders,
-                    "Multiples of the mesh frequency that may drive a wave, from 1 on",
+                    "Number of modes per nodal diameter and direction, from the lowest",
                     1,
                     100);
     declare_integer(
-      prm, "speeds", n_speeds, "Speeds of the waves' frequencies in the diagram", 2, 10000);
+      prm, "mesh harmonics", mesh_orders, "Mesh harmonics that may excite a wave, from 1", 1, 100);
+    declare_integer(prm,
+                    "speeds",
+                    n_speeds,
+                    "Number of speeds at which the diagram has wave frequencies",
+                    2,
+                    10000);
     declare_switch(prm,
-                   "driven",
+                   "simulate response",
                    driven,
-                   "Whether each wave is driven at its speed and around it; if not, speeds are "
-                   "predicted only");
+                   "Simulates the response of each wave at and around its predicted speed; no: "
+                   "predicts speeds only");
     static const Choices<WaveSolver> solvers = {{"reduced", WaveSolver::reduced},
                                                 {"run", WaveSolver::run}};
-    declare_choice(
+    declare_choice(prm,
+                   "solver",
+                   solver,
+                   solvers,
+                   "Model of the simulated response: reduced pair; or run: an explicit run per "
+                   "speed in its own folder, with the reduced pair beside it");
+    declare_number_list(
       prm,
-      "solver",
-      solver,
-      solvers,
-      "What is driven: the reduced pair; or whole bodies, an explicit run of this file "
-      "at each speed in a folder of its own, with the reduced pair beside it");
-    declare_number_list(prm,
-                        "offsets",
-                        offsets,
-                        "Of the speeds around each predicted one, over it: at least three [-]");
+      "speed offsets",
+      offsets,
+      "Speed offsets from each predicted speed, relative to it; at least three [-]");
     declare_number(prm,
-                   "decay times",
+                   "settling decay times",
                    decay_times,
-                   "Of the wave, at each speed before what is counted: exp(-1) each",
+                   "Settling time at each speed before recording starts, in decay times of the "
+                   "wave (to 1/e)",
                    Range::positive());
     declare_number(prm,
                    "allowed amplification",
                    allowed_amplification,
-                   "Of the largest stress at a probe over that at rest in space, beyond which a "
-                   "speed is to be avoided",
+                   "Limit of the amplification: largest dynamic stress at a probe divided by the "
+                   "stress that is constant in space; speeds above it are to be avoided",
                    Range{1., std::numeric_limits<double>::infinity(), true});
     declare_quantity(prm,
                      "margin",
                      margin,
                      "-",
-                     "Over the speed, on both sides of what is to be avoided",
+                     "Safety margin on both sides of a speed to be avoided, relative to it",
                      Range::between(0., .5));
   }
 
@@ -127,11 +129,11 @@ namespace vfife
         "expected a speed above 0, got 0. Set the range of speeds of the search for waves");
     if (!(highest_speed > lowest_speed))
       throw InputError(section + "/lowest speed", "must be below highest speed");
-    if (read("diameters", [this] { return diameter_numbers(); }).empty())
-      throw InputError(section + "/diameters",
+    if (read("nodal diameters", [this] { return diameter_numbers(); }).empty())
+      throw InputError(section + "/nodal diameters",
                        "expected at least one number of nodal diameters, got none");
-    if (read("offsets", [this] { return offset_parts(); }).size() < 3)
-      throw InputError(section + "/offsets",
+    if (read("speed offsets", [this] { return offset_parts(); }).size() < 3)
+      throw InputError(section + "/speed offsets",
                        "expected at least three offsets, such as -1 %, 0 %, 1 %");
   }
 } // namespace vfife

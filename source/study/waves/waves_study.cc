@@ -78,9 +78,9 @@ namespace vfife
             (teeth != RecordedTeeth::none && teeth != RecordedTeeth::all))
           throw InputError("Fillets/teeth", "expected none or all, without gauges");
         if (!(dynamics_.mass_damping() > 0))
-          throw InputError("Dynamics/damping", "damping must be positive");
+          throw InputError("Dynamics/mass proportional damping", "damping must be positive");
         if (dynamics_.damping_rate != DampingRate::momentum)
-          throw InputError("Dynamics/damping rate",
+          throw InputError("Dynamics/damping reference",
                            "must be momentum, because modes are damped relative to this rate");
         if (drives_runs())
           check_run();
@@ -102,7 +102,7 @@ namespace vfife
             options_.offsets.size(),
             " runs of ",
             reduced_.settling_meshes + reduced_.counted_meshes,
-            " tooth meshes or more. For the time of one run use --check with Study/kind = run");
+            " mesh cycles or more. For the time of one run use --check with Study/kind = run");
       }
 
       std::size_t
@@ -186,8 +186,8 @@ namespace vfife
       // Before hours of runs, not behind them.
       constexpr unsigned int least = 8;
       if (reduced_.settling_meshes + reduced_.counted_meshes < least)
-        throw InputError("Reduced/settling meshes",
-                         "expected at least eight settling and counted tooth meshes");
+        throw InputError("Reduced/settling mesh cycles",
+                         "expected at least eight settling and counted mesh cycles");
       runner_.read(WaveRuns::command_line(own_,
                                           options_.highest_speed,
                                           reduced_.settling_meshes + reduced_.counted_meshes,
@@ -199,7 +199,7 @@ namespace vfife
       const unsigned int most = RimWriter::count_diameters(model);
       for (const unsigned int n : options_.diameter_numbers())
         if (n > most)
-          throw InputError("Waves/diameters",
+          throw InputError("Waves/nodal diameters",
                            "expected at most " + std::to_string(most) + " nodal diameters");
     }
 
@@ -212,7 +212,7 @@ namespace vfife
           }
         catch (const InputError &error)
           {
-            throw InputError("Waves/diameters", error.what());
+            throw InputError("Waves/nodal diameters", error.what());
           }
     }
 
@@ -327,7 +327,7 @@ namespace vfife
           Tools tools(
             options_, model, bodies, pair_options(), reduced_.steps_per_mesh, places, pair);
           log.line(
-            "static curves of a tooth mesh: of the rotation under the torque the contact with "
+            "static curves of a mesh cycle: of the rotation under the torque the contact with "
             "teeth and driver has ",
             100. * tools.linear.contact_compliance() * tools.passage.stiffness(),
             " %");

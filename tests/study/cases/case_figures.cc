@@ -20,11 +20,11 @@ namespace
 {
   std::string text()
   {
-    return coarse_pair("set web = conical", coarse_web) +
+    return coarse_pair("set body type = conical web", coarse_web) +
            "subsection Operation\n  set speed = 8000 rpm\n  set torque = 800 N m\nend\n";
   }
 
-  /** 3600 tooth meshes a second, seven samples in each. */
+  /** 3600 mesh cycles a second, seven samples in each. */
   void steps(Communicator &)
   {
     std::ofstream("steps.prm") << text();

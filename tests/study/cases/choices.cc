@@ -13,7 +13,7 @@ using namespace vfife;
 namespace
 {
   const std::string one_step = "subsection Dynamics\n  set end time = 1\n"
-                               "  set largest number of steps = 1\nend\n" +
+                               "  set maximum number of steps = 1\nend\n" +
                                quiet_output(1);
 
   /** Contact force at the start of two bodies one of which lies in the other [N]. */
@@ -27,8 +27,8 @@ namespace
     set master body       = under
     set penalty           = 100
     set integration       = explicit
-    set depth limit       = 1 mm
-    set penetration limit = 1
+    set contact depth limit = 1 mm
+    set abort penetration ratio = 1
     set edge fading       = 0
 )" + contact) +
       "end\n";
@@ -166,7 +166,7 @@ subsection Material steel
   set Poisson's ratio = 0
 end
 subsection Fem
-  set element = )" + (full ? "full" : "incompatible modes") +
+  set element type = )" + (full ? "full integration" : "incompatible modes") +
                             "\nend\nsubsection Output\n  set verbosity = quiet\nend\n",
                           world);
         // Trilinear cells of length a cannot follow the parabola: their shear is -kappa x from the
@@ -196,7 +196,7 @@ subsection Fem
                                                      "set nodes = x+\nset force = 0, 0, 1 N\n")
                               << "end\nsubsection Dynamics\n  subsection Relaxation\n"
                               << "    set tolerance = 1e-9\n  end\nend\n"
-                              << "subsection Output\n  set pictures = no\n  set verbosity = "
+                              << "subsection Output\n  set report = no\n  set verbosity = "
                               << verbosity << "\nend\n";
     CommandLine line;
     line.parameter_file = "said.prm";

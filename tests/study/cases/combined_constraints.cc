@@ -93,8 +93,8 @@ namespace
     return "subsection Model\n  set bodies = ring\n  set constraints = radius, turn, z plane\n"
            "  set probes = ax, ay\n"
            "  subsection Body ring\n    set mesh = ring\n    set inner radius = 50 mm\n"
-           "    set outer radius = 80 mm\n    set height = 5 mm\n    set radial cells = 6\n"
-           "    set cells around = 48\n    set axial cells = 1\n  end\n" +
+           "    set outer radius = 80 mm\n    set height = 5 mm\n    set radial elements = 6\n"
+           "    set elements around = 48\n    set axial elements = 1\n  end\n" +
            hold("radius", "inner", "r", radius) +
            hold("turn", "all", "y", "    set where = abs(y) < 1e-6 && abs(x) > 79.9\n") +
            hold("z plane", "bottom", "z") +
@@ -105,11 +105,11 @@ namespace
   std::string study(const std::string &kind)
   {
     return "subsection Study\n  set kind = " + kind +
-           "\nend\nsubsection Output\n  set verbosity = quiet\n  set pictures = no\nend\n";
+           "\nend\nsubsection Output\n  set verbosity = quiet\n  set report = no\nend\n";
   }
 
   const std::string relaxed = "  subsection Relaxation\n    set tolerance = 1e-9\n  end\n";
-  const std::string preload = "subsection Dynamics\n  set start = static preload\n"
+  const std::string preload = "subsection Dynamics\n  set start = static equilibrium\n"
                               "  set end time = 20 us\n" +
                               relaxed + "end\n";
 
@@ -147,7 +147,7 @@ namespace
   {
     const std::string history = led + "    set history = 1 - cos(2e5*t)\n";
     const std::string more    = "subsection Dynamics\n  set end time = 50 us\nend\nsubsection "
-                                "Output\n  set history every = 1\nend\n";
+                                "Output\n  set steps per sample = 1\nend\n";
     auto   one     = run_text("quarter", study("run") + more + quarter(history, "", ""), world);
     auto   other   = run_text("whole", study("run") + more + whole(history), world);
     double largest = 0, difference = 0;

@@ -105,18 +105,18 @@ namespace
   {
     constexpr double zeta = 1000, k = 1000, across = 500;
     const double     mass = 7.85e-9 * 1000, omega = std::sqrt(k / mass);
-    auto             run =
-      run_text("sprung_block",
-               "subsection Study\n set kind = run\nend\nsubsection Model\n set bodies = block\n"
-               " set constraints = bed\n" +
-                 model_text::block(
-                   "block", {{10, 10, 10}}, {{2, 2, 2}}, "set velocity = 1000, 500, 0 mm/s\n") +
-                 model_text::section("Constraint bed",
-                                     "set kind = spring\nset nodes = all\n"
-                                     "set stiffness = 1000, 0, 0 N/mm\n") +
-                 "end\nsubsection Dynamics\n set damping = 1000\n set end time = " +
-                 std::to_string(4 * pi / omega) + "\nend\n" + quiet_output(1),
-               world);
+    auto             run = run_text(
+      "sprung_block",
+      "subsection Study\n set kind = run\nend\nsubsection Model\n set bodies = block\n"
+                  " set constraints = bed\n" +
+        model_text::block(
+          "block", {{10, 10, 10}}, {{2, 2, 2}}, "set velocity = 1000, 500, 0 mm/s\n") +
+        model_text::section("Constraint bed",
+                            "set kind = spring\nset nodes = all\n"
+                                        "set stiffness = 1000, 0, 0 N/mm\n") +
+        "end\nsubsection Dynamics\n set mass proportional damping = 1000\n set end time = " +
+        std::to_string(4 * pi / omega) + "\nend\n" + quiet_output(1),
+      world);
     const auto [decay, loss] = decay_of(run, zeta, .5 * mass * across * across);
     check_close("sprung block: decay of the bounce", decay, 1., 1e-2);
     check_close("sprung block: damping loss over the energy lost", loss, 1., 1e-3);
@@ -132,12 +132,13 @@ namespace
   {
     constexpr double zeta = 200;
     const auto       text = [&](const std::string &kind, const std::string &speed) {
-      return rotor_text::cylinder(kind,
-                                  "left, right",
-                                  "set initial velocity y = 40\nset speed = " + speed + " rad/s\n",
-                                  "",
-                                  "end\nsubsection Dynamics\nset start = static preload\n"
-                                        "set end time = 8 ms\nset damping = 200\nend\n");
+      return rotor_text::cylinder(
+        kind,
+        "left, right",
+        "set initial velocity y = 40\nset speed = " + speed + " rad/s\n",
+        "",
+        "end\nsubsection Dynamics\nset start = static equilibrium\n"
+              "set end time = 8 ms\nset mass proportional damping = 200\nend\n");
     };
     for (const std::string speed : {"0", "2000"})
       {
@@ -189,9 +190,10 @@ namespace
                  model_text::ring("ring",
                                   {{20, 30, 5}},
                                   {{2, 24, 1}},
-                                  "set bearing = yes\nset speed = 2000 rad/s\n"
+                                  "set rotating = yes\nset speed = 2000 rad/s\n"
                                   "set initial velocity y = 10\n") +
-                 "end\nsubsection Dynamics\n set damping = 2000\n set end time = 5 ms\nend\n" +
+                 "end\nsubsection Dynamics\n set mass proportional damping = 2000\n set end time = "
+                 "5 ms\nend\n" +
                  quiet_output(100),
                world);
     check_close("loose ring: momentum stays",
@@ -268,28 +270,28 @@ namespace
   /** A ring in a bearing that drifts along its axis: rigid, with a drag that is known. */
   void drifting_ring(const std::string &rate, Communicator &world)
   {
-    auto run =
-      run_text("ring",
-               "subsection Study\n set kind = run\nend\nsubsection Model\n set bodies = ring\n"
-               " set constraints = journal, bed\n" +
-                 model_text::ring("ring",
-                                  {{inner, outer, 2}},
-                                  {{10, 72, 1}},
-                                  "set bearing = yes\nset speed = 2000 rad/s\n"
-                                  "set initial velocity z = 60000\n") +
-                 model_text::section("Constraint journal",
-                                     "set kind = displacement\nset nodes = inner\n"
-                                     "set directions = r\n") +
-                 // Opposed, though hardly: the drift is damped.
-                 model_text::section("Constraint bed",
-                                     "set kind = spring\nset nodes = all\n"
-                                     "set stiffness = 0, 0, 1e-6 N/mm\n") +
-                 // The ring breathes: what its spin is at the end hangs on the steps.
-                 "end\nsubsection Dynamics\n set damping = 2000\n set end time = 0.2 ms\n"
-                 " set step bound = element\n"
-                 " set damping rate = " +
-                 rate + "\nend\n" + quiet_output(20),
-               world);
+    auto run = run_text(
+      "ring",
+      "subsection Study\n set kind = run\nend\nsubsection Model\n set bodies = ring\n"
+      " set constraints = journal, bed\n" +
+        model_text::ring("ring",
+                         {{inner, outer, 2}},
+                         {{10, 72, 1}},
+                         "set rotating = yes\nset speed = 2000 rad/s\n"
+                         "set initial velocity z = 60000\n") +
+        model_text::section("Constraint journal",
+                            "set kind = displacement\nset nodes = inner\n"
+                            "set directions = r\n") +
+        // Opposed, though hardly: the drift is damped.
+        model_text::section("Constraint bed",
+                            "set kind = spring\nset nodes = all\n"
+                            "set stiffness = 0, 0, 1e-6 N/mm\n") +
+        // The ring breathes: what its spin is at the end hangs on the steps.
+        "end\nsubsection Dynamics\n set mass proportional damping = 2000\n set end time = 0.2 ms\n"
+        " set time step estimate = element\n"
+        " set damping reference = " +
+        rate + "\nend\n" + quiet_output(20),
+      world);
     const double time = run["time"].back() - run["time"].front();
     // The drift decays whichever rate the damper follows.
     check_close("drifting ring, " + rate + ": drift over V exp(-zeta t)",
@@ -354,7 +356,7 @@ int main(int argc, char **argv)
 {
   MpiSession        session(argc, argv);
   const std::string free_bar = "free bar", across = "y 0, 3000, 0 mm/s";
-  flying_bar(free_bar, across, "", " set damping = 2000\n", session.world());
+  flying_bar(free_bar, across, "", " set mass proportional damping = 2000\n", session.world());
   // zeta = 4 pi f ratio at any frequency.
   std::ostringstream percent;
   percent.precision(17);
@@ -370,7 +372,7 @@ int main(int argc, char **argv)
                model_text::section("Constraint guide",
                                    "set kind = displacement\nset nodes = all\n"
                                    "set directions = y, z\n"),
-             " set damping = 2000\n",
+             " set mass proportional damping = 2000\n",
              session.world());
   clamped_beam(session.world());
   sprung_block(session.world());

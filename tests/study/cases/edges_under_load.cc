@@ -94,7 +94,9 @@ namespace
 
   void pressures(Communicator &communicator)
   {
-    std::ofstream("pressure.prm") << quick_pair("set web = none", "set rim rows = 2", "1e-6");
+    std::ofstream("pressure.prm") << quick_pair("set body type = rim only",
+                                                "set elements through rim = 2",
+                                                "1e-6");
     const std::string words = "is above the allowed";
     check("800 N m: nothing is said", look({}, communicator).find(words) == std::string::npos);
     const std::string tenfold = look({"Operation/torque=8000 N m"}, communicator);
@@ -102,10 +104,10 @@ namespace
     check("8000 N m: it is said",
           tenfold.find("2793 MPa, is above the allowed 1500 MPa") != std::string::npos);
     check("another limit",
-          look({"Operation/allowed contact pressure=1.2 GPa"}, communicator)
+          look({"Operation/contact stress limit=1.2 GPa"}, communicator)
               .find("is above the allowed 1200 MPa") != std::string::npos);
     check("no limit",
-          look({"Operation/torque=8000 N m", "Operation/allowed contact pressure=0"}, communicator)
+          look({"Operation/torque=8000 N m", "Operation/contact stress limit=0"}, communicator)
               .find(words) == std::string::npos);
   }
 
@@ -134,7 +136,7 @@ namespace
   {
     using Entries                                          = std::vector<std::string>;
     const std::vector<std::pair<std::string, Entries>> all = {
-      {"run", {"Dynamics/largest number of steps=1"}},
+      {"run", {"Dynamics/maximum number of steps=1"}},
       {"reduced", {"Reduced/cutoff frequency=9 kHz"}},
       {"reduced",
        {"Reduced/cutoff frequency=9 kHz",
@@ -142,15 +144,15 @@ namespace
         "Reduced/lowest speed=18000 rpm",
         "Reduced/highest speed=20000 rpm",
         "Reduced/speeds=2",
-        "Reduced/settling meshes=1",
-        "Reduced/counted meshes=1"}},
+        "Reduced/settling mesh cycles=1",
+        "Reduced/recorded mesh cycles=1"}},
       {"loaded tooth contact analysis", {"Loaded contact/positions=1"}},
       {"tooth contact analysis", {}}};
     for (const auto &[kind, more] : all)
       {
         Entries entries = more;
         entries.insert(entries.end(),
-                       {"Study/kind=" + kind, "Operation/allowed contact pressure=1.2 GPa"});
+                       {"Study/kind=" + kind, "Operation/contact stress limit=1.2 GPa"});
         run_pair("pressure.prm", "kind", communicator, entries);
         const nlohmann::json summary = read_summary("kind");
         const auto           found   = summary.at("contradictions").dump();
@@ -193,13 +195,13 @@ namespace
       return "subsection Gear pair\n set mesh = coarse\n subsection Proposal\n  set pinion teeth = "
              "19\n  set gear teeth = 43\n  set module = " +
              mm(4.5) + "\n  set face width = " + mm(30) +
-             "\n  set spiral angle = 35 deg\n  set ellipse length = " +
+             "\n  set spiral angle = 35 deg\n  set contact ellipse ratio = " +
              std::to_string(scale * 4.6) +
-             "\n end\n subsection Gear\n  subsection Body\n   set web = none\n  end\n "
+             "\n end\n subsection Gear\n  subsection Body\n   set body type = rim only\n  end\n "
              "end\nend\nsubsection Operation\n set speed = " +
              std::to_string(9000 / scale) +
              " rpm\n set torque = " + std::to_string(600 * scale * scale * scale) +
-             " N m\n set tooth meshes = 1\nend\n";
+             " N m\n set mesh cycles = 1\nend\n";
     };
     std::ofstream("large.prm") << pair(1);
     std::ofstream("small.prm") << pair(.2);
@@ -208,7 +210,7 @@ namespace
       for (const bool small : {false, true})
         {
           const std::string said =
-            look({"Dynamics/mesh damping=" + std::to_string(damping * (small ? 5 : 1))},
+            look({"Dynamics/driven speed damping=" + std::to_string(damping * (small ? 5 : 1))},
                  communicator,
                  small ? "small.prm" : "large.prm");
           check(std::string(small ? "small" : "large") + (damping > 2500 ? ": strong" : ": usual"),

@@ -42,9 +42,9 @@ int main(int argc, char **argv)
   Communicator &world = session.world();
   run_file("spiral_bevel_mesh.prm",
            "mesh",
-           {"Gear pair/Gear/Mesh/cells lengthwise=2",
-            "Gear pair/Gear/Mesh/flank rows=2",
-            "Gear pair/Pinion/Mesh/cells lengthwise=2",
+           {"Gear pair/Gear/Mesh/elements along face width=2",
+            "Gear pair/Gear/Mesh/elements along profile=2",
+            "Gear pair/Pinion/Mesh/elements along face width=2",
             "Export/formats=msh",
             "Export/pair=no",
             "Export/flank points lengthwise=0",
@@ -56,7 +56,7 @@ int main(int argc, char **argv)
            {"Model/Body gear/file=" + file,
             "Dynamics/end time=0.1 ms",
             "Output/verbosity=quiet",
-            "Output/pictures=no"},
+            "Output/report=no"},
            world);
 
   auto         h       = read_columns("spin/history.csv");

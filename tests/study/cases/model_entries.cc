@@ -35,9 +35,9 @@ namespace
     set size x  = 20
     set size y  = 20
     set size z  = 4
-    set cells x = 10
-    set cells y = 10
-    set cells z = 1
+    set elements x = 10
+    set elements y = 10
+    set elements z = 1
   end
 )";
 
@@ -54,7 +54,7 @@ subsection Model
     set size x   = 8
     set size y   = 8
     set size z   = 4
-    set cells z  = 1
+    set elements z = 1
     set position = 6, 6, 3.99 mm
     set velocity = 0, 100, 0 mm/s
   end
@@ -70,12 +70,12 @@ subsection Model
 end
 subsection Dynamics
   set end time                = 1
-  set largest number of steps = 1
+  set maximum number of steps = 1
 end
 subsection Output
-  set history every    = 1
-  set pictures         = no
-  set checkpoint every = 0
+  set steps per sample = 1
+  set report           = no
+  set checkpoint interval = 0
 end
 )";
     return run_text("touch", text, world);
@@ -105,16 +105,16 @@ subsection Model
     set master body       = under
     set master surface    = z+
     set penalty           = 100
-    set penetration limit = 1
+    set abort penetration ratio = 1
   end
 end
 subsection Dynamics
   set end time                = 1
-  set largest number of steps = 1
+  set maximum number of steps = 1
 end
 subsection Output
-  set pictures         = no
-  set checkpoint every = 0
+  set report           = no
+  set checkpoint interval = 0
 end
 )",
              world);
@@ -154,15 +154,6 @@ end
                     -ratio * penalty * velocity * dt * area,
                     1e-3 * ratio * penalty * velocity * dt * area);
       }
-    check_close("regularization velocity: read and not used",
-                touch("set friction coefficient = 0.3\nset regularization velocity = 1 mm/s\n",
-                      world) /
-                  force,
-                1.,
-                1e-12);
-
-    check("regularization velocity: warned of once",
-          count_warnings("touch", "\"regularization velocity\" is no longer used") == 1);
     check("a punch with coarse facets: warned of",
           count_warnings("touch", "Refine the facets to a seventh of that width") == 1);
     // A sphere of facets of 4 mm, pressed in until a few points touch.
@@ -180,7 +171,7 @@ end
     // A contact would not look there, and the bodies would pass through one another.
     try
       {
-        touch("set depth limit = 5 um\n", world);
+        touch("set contact depth limit = 5 um\n", world);
         check("depth limit: refused", false);
       }
     catch (const InputError &error)
@@ -191,12 +182,13 @@ end
                 message.find("0.01 mm inside body \"under\"") != std::string::npos);
       }
     check_close("depth limit: at half of it [N]",
-                touch("set depth limit = 20 um\nset penetration limit = 0.6\n", world),
+                touch("set contact depth limit = 20 um\nset abort penetration ratio = 0.6\n",
+                      world),
                 force,
                 1e-9);
     try
       {
-        touch("set depth limit = 20 um\nset penetration limit = 0.4\n", world);
+        touch("set contact depth limit = 20 um\nset abort penetration ratio = 0.4\n", world);
         check("given up", false);
       }
     catch (const NumericalError &error)
@@ -204,7 +196,7 @@ end
         const std::string message = error.what();
         check("penetration limit: 0.4 of the depth limit stops the run",
               message.find("10 um deep") != std::string::npos &&
-                message.find("(limit 8 um, Contact/penetration limit)") != std::string::npos);
+                message.find("(limit 8 um, Contact/abort penetration ratio)") != std::string::npos);
       }
   }
 
@@ -217,20 +209,20 @@ end
            "\nend\nsubsection Model\n  set bodies = bar\n" +
            "  set constraints = foot\n  set loads = pull\n  set probes = tip\n" +
            "  subsection Body bar\n    set size x  = " + n +
-           "\n    set size y  = 1\n    set size z  = 1\n    set cells x = " + n +
-           "\n    set cells y = 1\n    set cells z = 1\n  end\n" +
+           "\n    set size y  = 1\n    set size z  = 1\n    set elements x = " + n +
+           "\n    set elements y = 1\n    set elements z = 1\n  end\n" +
            "  subsection Constraint foot\n    set nodes = x-\n  end\n" +
            "  subsection Load pull\n    set nodes = x+\n    set force = 10, 0, 0\n  end\n" +
            "  subsection Probe tip\n    set point = " + n + ", 0, 0\n  end\nend\n" +
            "subsection Material steel\n  set Poisson's ratio = 0\nend\n" + "subsection Dynamics\n" +
            dynamics +
-           (kind == "run" ? "  set end time = 1\n  set largest number of steps = 1\n" : "") +
-           "end\nsubsection Output\n  set pictures = no\n  set checkpoint every = 0\nend\n";
+           (kind == "run" ? "  set end time = 1\n  set maximum number of steps = 1\n" : "") +
+           "end\nsubsection Output\n  set report = no\n  set checkpoint interval = 0\nend\n";
   }
 
   nlohmann::json run_bar(const unsigned int cells, const std::string &dynamics, Communicator &world)
   {
-    run_text("bar", bar(cells, "  set safety = 1\n" + dynamics), world);
+    run_text("bar", bar(cells, "  set time step factor = 1\n" + dynamics), world);
     return read_summary("bar");
   }
 
@@ -241,7 +233,7 @@ end
 
   void step(Communicator &world)
   {
-    const std::string    bound = "  set step bound = element\n";
+    const std::string    bound = "  set time step estimate = element\n";
     const nlohmann::json plain = run_bar(8, bound, world);
     const double         dt    = step_of(plain);
     const auto           mass  = [](const nlohmann::json &summary, const char *name) {
@@ -250,7 +242,7 @@ end
     // All elements are alike, so a step 1.2 times as large takes 1.44 times their masses.
     const std::string scaled =
       bound + "  set mass scaling step = " + std::to_string(1.2e9 * dt) + " ns\n";
-    const auto heavy = run_bar(8, scaled + "  set largest added mass = 0.45\n", world);
+    const auto heavy = run_bar(8, scaled + "  set maximum added mass = 0.45\n", world);
     check_close("mass scaling step: the step", step_of(heavy) / dt, 1.2, 1e-6);
     check_close("mass scaling step: added mass over mass",
                 mass(heavy, "added mass") / mass(plain, "mass"),
@@ -259,7 +251,7 @@ end
     check_close("mass scaling step: mass", mass(heavy, "mass") / mass(plain, "mass"), 1.44, 1e-5);
     try
       {
-        run_bar(8, scaled + "  set largest added mass = 0.43\n", world);
+        run_bar(8, scaled + "  set maximum added mass = 0.43\n", world);
         check("refused", false);
       }
     catch (const InputError &error)
@@ -270,7 +262,7 @@ end
 
     // In a row of cubes all elements can stretch in turn with their highest frequency, 2 c/h.
     check_close("step of cubes over h/c", dt / std::sqrt(7.85e-9 / 206000), 1., 1e-5);
-    const nlohmann::json row = run_bar(8, "  set step bound = assembly\n", world);
+    const nlohmann::json row = run_bar(8, "  set time step estimate = global\n", world);
     check_close("step bound: the same for a row of cubes", step_of(row) / dt, 1., .01);
   }
 
@@ -299,9 +291,9 @@ end
 
   const std::string every_sample = R"(
 subsection Output
-  set history every    = 1
-  set pictures         = no
-  set checkpoint every = 0
+  set steps per sample = 1
+  set report           = no
+  set checkpoint interval = 0
 end
 )";
 
@@ -323,18 +315,18 @@ end
                  "  subsection Constraint across\n    set nodes = all\n"
                  "    set kind = displacement\n    set directions = r, z\n  end\n" +
                    model_text::ring("ring", {{20, 30, 5}}, {{1, 24, 1}}, R"(
-    set bearing      = yes
+    set rotating     = yes
     set speed        = 100 rad/s
     set initial velocity x = -0.1*y*(x^2 + y^2)
     set initial velocity y = 0.1*x*(x^2 + y^2)
 )") + R"(
 end
 subsection Dynamics
-  set damping                 = 2000
+  set mass proportional damping = 2000
   set end time                = 1
-  set largest number of steps = 1
-  set safety                  = 0.01
-  set damping rate            = )" +
+  set maximum number of steps = 1
+  set time step factor        = 0.01
+  set damping reference       = )" +
                    (is_mean ? "mean speed" : "momentum") + "\nend\n" + every_sample,
                  world);
         const nlohmann::json audit = read_summary("damped").at("damping audit")[0];
@@ -361,8 +353,8 @@ subsection Model
   subsection Body ball
     set mesh               = sphere
     set radius             = 10
-    set core cells         = 2
-    set radial cells       = 1
+    set core elements      = 2
+    set radial elements    = 1
     set initial velocity z = 1000*x*y
   end
 end
@@ -375,9 +367,9 @@ subsection Dynamics
   void unequal_elements(Communicator &world)
   {
     // The elements beside the worst one do not give way as a free element does.
-    run_text("ball", ball("  set step bound = element\n"), world);
+    run_text("ball", ball("  set time step estimate = element\n"), world);
     const double by_element = step_of(read_summary("ball"));
-    auto         history    = run_text("ball", ball("  set step bound = assembly\n"), world);
+    auto         history    = run_text("ball", ball("  set time step estimate = global\n"), world);
     check("step bound: much larger where elements differ",
           step_of(read_summary("ball")) > 1.3 * by_element);
     check_below("step bound: and the run is stable", history["energy error"].back(), .02);

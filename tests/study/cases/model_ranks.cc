@@ -23,7 +23,7 @@ namespace
     line.output_folder  = folder;
     line.overrides      = overrides;
     line.overrides.emplace_back("Output/verbosity=quiet");
-    line.overrides.emplace_back("Output/pictures=no");
+    line.overrides.emplace_back("Output/report=no");
     std::ostringstream nothing;
     Log                log(nothing, communicator.is_root(), Verbosity::quiet);
     run_study(line, communicator, log);
@@ -62,8 +62,8 @@ int main(int argc, char **argv)
   Communicator &world = session.world();
   // Largest coordinate, cell, mass.
   compare_ranks("two_bars",
-                {"Model/Body flying/cells x=40",
-                 "Model/Body resting/cells x=40",
+                {"Model/Body flying/elements x=40",
+                 "Model/Body resting/elements x=40",
                  "Dynamics/end time=40 us"},
                 {200., 2.5, 2 * 100 * 5 * 5 * 7.85e-9},
                 world,

@@ -37,11 +37,11 @@ subsection Material steel
   set Poisson's ratio = 0
 end
 subsection Dynamics
-  set start    = static preload
+  set start    = static equilibrium
   set end time = 4 ms
   subsection Relaxation
     set tolerance               = 1e-5
-    set largest number of steps = 100000
+    set maximum number of steps = 100000
   end
 end
 )" + quiet_output(50),
@@ -70,7 +70,7 @@ end
       run_text("spin_up",
                "subsection Study\n set kind = run\nend\nsubsection Model\n"
                " set bodies = ring\n set loads = end\n" +
-                 model_text::ring("ring", {{20, 30, 5}}, {{2, 24, 1}}, "set bearing = yes\n") +
+                 model_text::ring("ring", {{20, 30, 5}}, {{2, 24, 1}}, "set rotating = yes\n") +
                  moment("inner", "0, 0, 1000") +
                  "end\nsubsection Dynamics\n set end time = 2 ms\nend\n" + quiet_output(20),
                world);

@@ -19,8 +19,8 @@ namespace
   std::string study(const std::string &kind)
   {
     return "subsection Study\n  set kind = " + kind +
-           "\nend\nsubsection Output\n  set verbosity = quiet\n  set pictures = no\n"
-           "  set history every = 1\nend\n";
+           "\nend\nsubsection Output\n  set verbosity = quiet\n  set report = no\n"
+           "  set steps per sample = 1\nend\n";
   }
 
   Vector3 last(Columns &history, const std::string &column)
@@ -36,12 +36,12 @@ namespace
   {
     return "subsection Model\n  set bodies = bar\n  set constraints = " + constraints +
            "\n  subsection Body bar\n    set size x  = " + std::to_string(5 * n_cells) +
-           " mm\n    set cells x = " + std::to_string(n_cells) + R"(
+           " mm\n    set elements x = " + std::to_string(n_cells) + R"(
     set mesh    = block
     set size y  = 5 mm
     set size z  = 5 mm
-    set cells y = 1
-    set cells z = 1
+    set elements y = 1
+    set elements z = 1
   end
 )" + more + R"(
 end
@@ -199,11 +199,11 @@ subsection Model
     set size x     = 20 mm
     set size y     = 4 mm
     set size z     = 4 mm
-    set cells x    = 5
-    set cells y    = 2
-    set cells z    = 2
+    set elements x = 5
+    set elements y = 2
+    set elements z = 2
     set position   = 30, -2, 0 mm
-    set bearing    = yes
+    set rotating   = yes
     set speed      = 500 rad/s
   end
   subsection Constraint drive
@@ -215,7 +215,7 @@ subsection Model
   end
 end
 subsection Dynamics
-  set start    = static preload
+  set start    = static equilibrium
   set end time = 1 ms
   subsection Relaxation
     set tolerance = 1e-9

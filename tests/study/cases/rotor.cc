@@ -51,8 +51,8 @@ namespace
                  "set bodies = shaft\nset constraints = left, right, drive\n"
                  "set loads = push, twist\nset probes = middle, end, far, rim\n" +
                  shaft("0 500 40",
-                       "set cells around = 24\nset axial cell size = 12.5\n"
-                       "set radial cell size = 5\n") +
+                       "set elements around = 24\nset axial element size = 12.5\n"
+                       "set radial element size = 5\n") +
                  bearing("left",
                          "z < 1",
                          "set radial stiffness = 20 MN/m\nset axial stiffness = 10 N/um\n") +
@@ -158,9 +158,12 @@ namespace
              "subsection Model\nset bodies = shaft\nset constraints = left, right, drive\n"
              "set loads = push\nset probes = bottom, top\n" +
              shaft("0 60 100",
-                   "set cells around = 16\nset axial cell size = 15\nset radial cell size = 20\n") +
-             row("left", "z < 1", "set holds = -z\n") +
-             row("right", "z > 59", "set holds = +z\nset working load = " + at + "\n") +
+                   "set elements around = 16\nset axial element size = 15\nset radial element size "
+                   "= 20\n") +
+             row("left", "z < 1", "set axial load direction = -z\n") +
+             row("right",
+                 "z > 59",
+                 "set axial load direction = +z\nset working load = " + at + "\n") +
              model_text::section("Constraint drive", "set kind = coupling\nset nodes = bottom\n") +
              model_text::section("Load push",
                                  "set kind = force\nset nodes = section 1\nset where = z > 59\n"
@@ -198,8 +201,8 @@ namespace
       const auto text = study("modal") +
                         "subsection Model\nset bodies = shaft\nset constraints = left, right\n" +
                         shaft("0 60 100",
-                              "set cells around = 16\nset axial cell size = 15\n"
-                              "set radial cell size = 20\n") +
+                              "set elements around = 16\nset axial element size = 15\n"
+                              "set radial element size = 20\n") +
                         bearing("left", "z < 1", left + "set x direction = 1, 0, 0\n") +
                         bearing("right", "z > 59", "set radial stiffness = 5000\n") +
                         "end\nsubsection Fem\nset modes = 10\nset coriolis = yes\n"
@@ -376,7 +379,7 @@ namespace
                     "set pitch diameter = 60\n"),
             world);
     refused(rolling("set number of elements = 20\nset element diameter = 8\n"
-                    "set pitch diameter = 60\nset holds = z\n"),
+                    "set pitch diameter = 60\nset axial load direction = z\n"),
             world);
     refused(with("0 60 100", radial), world); // free along and about its axis
   }

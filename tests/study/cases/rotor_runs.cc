@@ -27,8 +27,8 @@ namespace
   /** Without the jump from undeformed to spun, whose ringing would be most of the energy. */
   std::string run_of(const std::string &time)
   {
-    return "end\nsubsection Dynamics\nset start = static preload\nset end time = " + time +
-           "\nset damping = 0\nend\n" + quiet_output(20);
+    return "end\nsubsection Dynamics\nset start = static equilibrium\nset end time = " + time +
+           "\nset mass proportional damping = 0\nend\n" + quiet_output(20);
   }
 
   /** Mass and inertias about its centre of the cylinder's nodes. */
@@ -211,8 +211,8 @@ namespace
         run_of("12 ms"));
     // In two parts: it goes on with the turns that it has.
     std::filesystem::remove_all(name);
-    const std::string kept = "Output/checkpoint every=600 s";
-    run_pair(name + ".prm", name, world, {"Dynamics/largest number of steps=4000", kept});
+    const std::string kept = "Output/checkpoint interval=600 s";
+    run_pair(name + ".prm", name, world, {"Dynamics/maximum number of steps=4000", kept});
     run_pair(name + ".prm", name, world, {kept}, true);
     const Columns run   = read_columns(name + "/history.csv");
     const double  omega = std::sqrt(torsional / rotor.axial);
@@ -249,26 +249,26 @@ namespace
    * what momentum and angular momentum of the body change by. */
   void balance(Communicator &world)
   {
-    const Columns run =
-      run_text("balance",
-               cylinder("run",
-                        "left, right, drive",
-                        "set speed = 2000 rad/s\nset initial velocity x = 1.5*(z - 30)\n"
-                        "set initial velocity y = 40\nset initial velocity z = -1.5*x\n",
-                        "set axial stiffness = 2000\nset radial damping = 2\n"
-                        "set tilting stiffness = 1e6\nset tilting damping = 100\n",
-                        model_text::section("Constraint drive",
-                                            "set kind = coupling\nset nodes = bottom\n"
-                                            "set torsional stiffness = 4e6\n"
-                                            "set torsional damping = 100\n") +
-                          "set loads = brake\n" +
-                          model_text::section("Load brake",
-                                              "set kind = moment\nset nodes = top\n"
-                                              "set moment = 500, -300, -2000 N mm\n") +
-                          "end\nsubsection Dynamics\nset end time = 1\n"
-                          "set largest number of steps = 300\nset damping = 0\nend\n" +
-                          quiet_output(1)),
-               world);
+    const Columns run = run_text(
+      "balance",
+      cylinder("run",
+               "left, right, drive",
+               "set speed = 2000 rad/s\nset initial velocity x = 1.5*(z - 30)\n"
+               "set initial velocity y = 40\nset initial velocity z = -1.5*x\n",
+               "set axial stiffness = 2000\nset radial damping = 2\n"
+               "set tilting stiffness = 1e6\nset tilting damping = 100\n",
+               model_text::section("Constraint drive",
+                                   "set kind = coupling\nset nodes = bottom\n"
+                                   "set torsional stiffness = 4e6\n"
+                                   "set torsional damping = 100\n") +
+                 "set loads = brake\n" +
+                 model_text::section("Load brake",
+                                     "set kind = moment\nset nodes = top\n"
+                                     "set moment = 500, -300, -2000 N mm\n") +
+                 "end\nsubsection Dynamics\nset end time = 1\n"
+                 "set maximum number of steps = 300\nset mass proportional damping = 0\nend\n" +
+                 quiet_output(1)),
+      world);
     const Vector3 load(500, -300, -2000);
     // Forces and moments of t_n change the momenta from those of t_n - dt/2, which are reported.
     for (const char *of : {"force", "moment"})
@@ -348,8 +348,8 @@ namespace
                  "subsection Model\nset bodies = shaft\nset constraints = left, right, along\n"
                  "set loads = push\n" +
                  shaft("0 60 100",
-                       "set cells around = 16\nset axial cell size = 15\n"
-                       "set radial cell size = 20\nset speed = 60 rad/s\n") +
+                       "set elements around = 16\nset axial element size = 15\n"
+                       "set radial element size = 20\nset speed = 60 rad/s\n") +
                  ball_seat("left", "z < 1") + ball_seat("right", "z > 59") +
                  bearing("along", "z < 1", "set axial stiffness = 1000\n") +
                  model_text::section("Load push",
@@ -398,8 +398,8 @@ namespace
   /** A cage knows from the time alone where it is: interrupted, that run has the same digits. */
   void passage_goes_on(Communicator &world)
   {
-    const std::string steps = "Dynamics/largest number of steps=",
-                      kept  = "Output/checkpoint every=600 s";
+    const std::string steps = "Dynamics/maximum number of steps=",
+                      kept  = "Output/checkpoint interval=600 s";
     for (const char *folder : {"whole_passage", "passage_in_parts"})
       std::filesystem::remove_all(folder);
     run_pair("ball_passage.prm", "whole_passage", world, {steps + "1200"});

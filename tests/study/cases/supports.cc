@@ -76,7 +76,7 @@ subsection Dynamics
   set end time = 1 ms
 end
 subsection Output
-  set history every = 10
+  set steps per sample = 10
 end
 )"),
                              world);
@@ -128,14 +128,14 @@ subsection Model
                                R"(
 end
 subsection Dynamics
-  set start    = static preload
+  set start    = static equilibrium
   set end time = 0.5 ms
   subsection Relaxation
     set tolerance = 1e-9
   end
 end
 subsection Output
-  set history every = 10
+  set steps per sample = 10
 end
 )",
                              world);

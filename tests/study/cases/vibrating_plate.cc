@@ -71,10 +71,10 @@ int main(int argc, char **argv)
   CommandLine   line;
   line.parameter_file = tree_folder() + "/prm/verification/vibrating_plate.prm";
   line.output_folder  = "plate";
-  line.overrides      = {"Model/Body plate/radial cells=" + std::to_string(radial),
-                         "Model/Body plate/cells around=" + std::to_string(around),
+  line.overrides      = {"Model/Body plate/radial elements=" + std::to_string(radial),
+                         "Model/Body plate/elements around=" + std::to_string(around),
                          "Output/verbosity=quiet",
-                         "Output/pictures=no"};
+                         "Output/report=no"};
   std::ostringstream nothing;
   Log                log(nothing, true, Verbosity::quiet);
   run_study(line, world, log);

@@ -41,7 +41,8 @@ namespace
 
   void write_pair_cases()
   {
-    const std::string pair = quick_pair("set web = none", "set rim rows = 2", "1e-5");
+    const std::string pair =
+      quick_pair("set body type = rim only", "set elements through rim = 2", "1e-5");
     // Forces of the first instant, not of the first step.
     std::ofstream("compare_run.prm")
       << pair << "subsection Contact\n set integration = explicit\nend\n";
@@ -51,10 +52,10 @@ namespace
       << "subsection Loaded contact\n set positions = 2\n set coupled modes = 3\nend\n";
     std::ofstream("compare_lumped.prm") << bodies << "subsection Study\n set kind = lumped\nend\n"
                                         << "subsection Lumped\n set mesh = loaded contact\n set "
-                                           "damping ratio = 0.1\n set pictures = no\nend\n";
+                                           "damping ratio = 0.1\n set report = no\nend\n";
     std::ofstream("compare.prm")
       << "subsection Study\n set kind = compare\nend\n"
-      << "subsection Compare\n set cases = run, loaded, lumped\n set pictures = no\n"
+      << "subsection Compare\n set cases = run, loaded, lumped\n set report = no\n"
       << " set title = coarse\n"
       << " subsection Case run\n  set base = compare_run.prm\n end\n"
       << " subsection Case loaded\n  set base = compare_loaded.prm\n end\n"
@@ -106,7 +107,7 @@ namespace
   void reduced(Communicator &world)
   {
     std::filesystem::remove_all("compare_reduced");
-    const std::string pair = quick_pair("set web = conical", coarse_web, "1e-6");
+    const std::string pair = quick_pair("set body type = conical web", coarse_web, "1e-6");
     std::ofstream("reduced_run.prm") << pair;
     std::ofstream("reduced_pair.prm") << pair << "subsection Study\n set kind = reduced\nend\n";
     std::ofstream("reduced_loaded.prm")
@@ -115,13 +116,13 @@ namespace
     const auto write = [](const std::string &cases, const std::string &entries) {
       std::ofstream file("compare_reduced.prm");
       file << "subsection Study\n set kind = compare\nend\nsubsection Compare\n set cases = "
-           << cases << "\n set pictures = no\n set entries = " << entries << "\n";
+           << cases << "\n set report = no\n set entries = " << entries << "\n";
       std::istringstream names(cases);
       for (std::string name; std::getline(names >> std::ws, name, ',');)
         file << " subsection Case " << name << "\n  set base = reduced_" << name << ".prm\n end\n";
       file << "end\n";
     };
-    write("run, pair", "Operation/tooth meshes = 4; Dynamics/mesh damping = 8000 1/s");
+    write("run, pair", "Operation/mesh cycles = 4; Dynamics/driven speed damping = 8000 1/s");
     run_case("compare_reduced.prm", "compare_reduced", world);
     const Table table = read_result_table("compare_reduced/comparison.csv");
     show(table);
@@ -137,7 +138,7 @@ namespace
     close("dte, amplitude of mesh order 1", .1);
     close("swing frequency", 1e-2);
     const std::size_t curve =
-      find_row(table, "dte over the tooth mesh, rms distance from the reduced pair's", "reduced");
+      find_row(table, "dte over the mesh cycle, rms distance from the reduced pair's", "reduced");
     check_below("curves: of the largest order",
                 table.numbers("value")[curve] /
                   table.numbers(
@@ -145,7 +146,7 @@ namespace
                 .1);
 
     std::filesystem::remove_all("compare_slow");
-    write("pair, loaded", "Operation/tooth meshes = 1; Operation/speed = 600 rpm");
+    write("pair, loaded", "Operation/mesh cycles = 1; Operation/speed = 600 rpm");
     run_case("compare_reduced.prm", "compare_slow", world);
     const Table slow = read_result_table("compare_slow/comparison.csv");
     show(slow);
@@ -160,12 +161,12 @@ namespace
     std::filesystem::remove_all("compare_beam");
     std::ofstream("compare_beam.prm")
       << "subsection Study\n set kind = compare\nend\n"
-      << "subsection Compare\n set pictures = no\n set cases = ring, modes\n"
-      << " set entries = Model/Body beam/cells along length = 10;"
-         " Model/Body beam/cells over height = 2\n"
+      << "subsection Compare\n set report = no\n set cases = ring, modes\n"
+      << " set entries = Model/Body beam/elements along length = 10;"
+         " Model/Body beam/elements over height = 2\n"
       << " subsection Case ring\n  set base = " << tree_folder()
       << "/prm/verification/vibrating_cantilever.prm\n"
-      << "  set entries = Output/pictures = no\n end\n"
+      << "  set entries = Output/report = no\n end\n"
       << " subsection Case modes\n  set base = " << tree_folder()
       << "/prm/fem/cantilever_modes.prm\n end\nend\n";
     run_case("compare_beam.prm", "compare_beam", world);
@@ -183,8 +184,8 @@ namespace
     std::filesystem::remove_all("compare_plate");
     std::ofstream("compare_plate.prm")
       << "subsection Study\n set kind = compare\nend\n"
-      << "subsection Compare\n set pictures = no\n set cases = rest, linear\n"
-      << " set entries = Output/pictures = no\n"
+      << "subsection Compare\n set report = no\n set cases = rest, linear\n"
+      << " set entries = Output/report = no\n"
       << " subsection Case rest\n  set base = " << tree_folder()
       << "/prm/verification/plate_with_hole.prm\n end\n"
       << " subsection Case linear\n  set base = " << tree_folder()
@@ -225,7 +226,7 @@ namespace
     run.add_column("von mises", "MPa");
     for (unsigned int i = 0; i <= 40; ++i)
       run.add_row({1e-3 * i, "A", 10. + i});
-    loaded.add_column("after the mesh", "tooth meshes");
+    loaded.add_column("after the mesh", "mesh cycles");
     loaded.add_text_column("probe");
     loaded.add_column("von mises", "MPa");
     for (const double position : {0.5, 0.})

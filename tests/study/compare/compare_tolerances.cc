@@ -76,15 +76,15 @@ namespace
                 "contact torque on the gear": {"mean": 100.1}}}})");
     write(
       "tolerances_loaded/loaded_contact.csv",
-      "position [tooth meshes],transmission error [arcsec],contact force total [N]\n0,-100,1000\n");
+      "position [mesh cycles],transmission error [arcsec],contact force total [N]\n0,-100,1000\n");
     const Judge       judge = {&compare_pair,
                                {{"run", "tolerances_run", "run", true},
                                 {"loaded", "tolerances_loaded", "loaded tooth contact analysis", true}}};
     const std::string error = "set transmission error tolerance = ",
                       force = "set force tolerance = ";
     judge("mean dte", error, {"0.011", "0.009"});
-    judge("mean dte", "set slow = 499 rpm\n" + error, {"0.011"});
-    judge("mean dte", "set slow = 501 rpm\n" + error, {"0.011"});
+    judge("mean dte", "set quasi-static speed limit = 499 rpm\n" + error, {"0.011"});
+    judge("mean dte", "set quasi-static speed limit = 501 rpm\n" + error, {"0.011"});
     judge("mean contact force", force, {"0.0041", "0.0039"});
     judge("mean contact torque on the gear", force, {"0.0011", "0.0009"});
   }
@@ -115,7 +115,7 @@ namespace
                          {{"run", "beside_run", "run", true},
                           {"reduced", "beside_reduced", "reduced", true}}};
     judge("mean dte", "set reduced transmission error tolerance = ", {"0.0011", "0.0009"});
-    judge("dte over the tooth mesh, rms distance from the reduced pair's",
+    judge("dte over the mesh cycle, rms distance from the reduced pair's",
           "set reduced ripple tolerance = ",
           {"0.0107", "0.0105"});
     judge("dte, amplitude of mesh order 1", "set reduced order tolerance = ", {"0.0301", "0.0299"});
@@ -152,9 +152,9 @@ namespace
    */
   void passed_positions()
   {
-    // 225 meshes a second: a tooth mesh is 4.444 ms, the positions lie 1.111 ms apart.
+    // 225 meshes a second: a mesh cycle is 4.444 ms, the positions lie 1.111 ms apart.
     write("positions_loaded/loaded_contact.csv",
-          "position [tooth meshes],transmission error [arcsec],contact force total [N]\n"
+          "position [mesh cycles],transmission error [arcsec],contact force total [N]\n"
           "0,-100,1000\n0.25,-104,1000\n0.5,-108,1000\n0.75,-104,1000\n");
     const auto show = [](const std::string &name, const std::string &history) {
       write("positions_run/summary.json",
@@ -166,7 +166,7 @@ namespace
         {"run", "positions_run", "run", true},
         {"loaded", "positions_loaded", "loaded tooth contact analysis", true}};
       for (const ComparisonRow &row : compare_pair(cases, ComparisonTolerances()))
-        if (row.quantity.find("over the tooth mesh") != std::string::npos)
+        if (row.quantity.find("over the mesh cycle") != std::string::npos)
           std::cout << name << ", " << row.quantity.substr(25) << ": " << row.value << " against "
                     << row.reference << ", " << row.verdict() << "; "
                     << row.reason.substr(0, row.reason.find(';')) << std::endl;

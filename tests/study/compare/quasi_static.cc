@@ -24,7 +24,7 @@ namespace
     return table;
   }
 
-  /** -80 + 3 cos(2 pi p + 1) + cos(4 pi p - 2) at n places of a tooth mesh. */
+  /** -80 + 3 cos(2 pi p + 1) + cos(4 pi p - 2) at n places of a mesh cycle. */
   double estimate(const unsigned int n, const double mesh_frequency, const double least_share)
   {
     std::vector<double> curve;

@@ -21,16 +21,16 @@ namespace
                               << "/prm/verification/two_bars.prm\n"
                                  "subsection Study\n  set output folder = unused\nend\n"
                                  "subsection Model\n"
-                                 "  subsection Body flying\n    set cells x = 20\n  end\n"
-                                 "  subsection Body resting\n    set cells x = 20\n  end\n"
+                                 "  subsection Body flying\n    set elements x = 20\n  end\n"
+                                 "  subsection Body resting\n    set elements x = 20\n  end\n"
                                  "  subsection Contact faces\n    set integration = explicit\n"
                                  "  end\nend\n"
-                                 "subsection Output\n  set pictures = no\nend\n";
+                                 "subsection Output\n  set report = no\nend\n";
     std::ofstream("sweep.prm")
       << "subsection Study\n  set kind = sweep\nend\n"
-         "subsection Sweep\n  set base = bars.prm\n  set pictures = no\n"
-         "  set entries = Output/verbosity=quiet; Output/history every = 7\n"
-         "  set beside = modes\n"
+         "subsection Sweep\n  set base = bars.prm\n  set report = no\n"
+         "  set entries = Output/verbosity=quiet; Output/steps per sample = 7\n"
+         "  set reference folders = modes\n"
          "  set parameters = limit, damping\n"
          "  set figures = way, free end\n"
          "  subsection Figure way\n"
@@ -39,10 +39,10 @@ namespace
          "  subsection Figure free end\n"
          "    set column = ahead displacment x\n  end\n"
          "  subsection Parameter limit\n"
-         "    set entry  = Model/Contact faces/penetration limit\n"
+         "    set entry  = Model/Contact faces/abort penetration ratio\n"
          "    set values = 0.1, 1e-6\n  end\n"
          "  subsection Parameter damping\n"
-         "    set entry  = Dynamics/damping\n"
+         "    set entry  = Dynamics/mass proportional damping\n"
          "    set values = 0, 100 1/s, 200 1/s\n  end\nend\n";
   }
 
@@ -51,18 +51,18 @@ namespace
   {
     std::ofstream("numerical.prm")
       << "subsection Study\n  set kind = sweep\nend\n"
-         "subsection Sweep\n  set base = bars.prm\n  set pictures = no\n"
+         "subsection Sweep\n  set base = bars.prm\n  set report = no\n"
          "  set entries = Output/verbosity=quiet\n"
          "  set parameters = cells, limit\n"
-         "  set error by = cells\n"
+         "  set numerical parameters = cells\n"
          "  set figures = way\n"
          "  subsection Figure way\n    set column = behind displacement x\n"
          "    set reference = 0.049\n  end\n"
          "  subsection Parameter cells\n"
-         "    set entry  = Model/Body flying/cells x; Model/Body resting/cells x\n"
+         "    set entry  = Model/Body flying/elements x; Model/Body resting/elements x\n"
          "    set values = 10 | 10, 20 | 20, 40 | 40\n  end\n"
          "  subsection Parameter limit\n"
-         "    set entry  = Model/Contact faces/penetration limit\n"
+         "    set entry  = Model/Contact faces/abort penetration ratio\n"
          "    set values = 0.1, 1e-6\n  end\nend\n";
   }
 
@@ -136,15 +136,17 @@ namespace
     check("in sweep.json",
           read_text("numerical/sweep.json").find("\"error bars\"") != std::string::npos);
     show("no case", run({"--set", "Sweep/base=nowhere.prm"}));
-    show("not a parameter", run({"--set", "Sweep/error by=cell"}));
-    show("twice", run({"--set", "Sweep/error by=cells, cells"}));
+    show("not a parameter", run({"--set", "Sweep/numerical parameters=cell"}));
+    show("twice", run({"--set", "Sweep/numerical parameters=cells, cells"}));
     show("one value", run({"--set", "Sweep/Parameter cells/values=10 | 10"}));
     show("a value for one entry of two",
          run({"--set", "Sweep/Parameter cells/values=10 | 10, 20"}));
-    show("two sizes", run({"--set", "Sweep/Parameter cells/sizes=2, 1"}));
-    show("sizes that grow", run({"--set", "Sweep/Parameter cells/sizes=1, 2, 4"}));
-    show("sizes of another parameter", run({"--set", "Sweep/Parameter limit/sizes=2, 1"}));
-    show("which runs", run({"--set", "Sweep/Parameter cells/sizes=3, 2, 1", "--check"}));
+    show("two sizes", run({"--set", "Sweep/Parameter cells/relative element sizes=2, 1"}));
+    show("sizes that grow", run({"--set", "Sweep/Parameter cells/relative element sizes=1, 2, 4"}));
+    show("sizes of another parameter",
+         run({"--set", "Sweep/Parameter limit/relative element sizes=2, 1"}));
+    show("which runs",
+         run({"--set", "Sweep/Parameter cells/relative element sizes=3, 2, 1", "--check"}));
   }
 } // namespace
 
@@ -197,7 +199,7 @@ int main()
                          "history.csv; did you mean \"ahead displacement x\"?") !=
           std::string::npos);
   check("entries of all runs",
-        read_text("all/run_02/parameters.prm").find("set history every    = 7") !=
+        read_text("all/run_02/parameters.prm").find("set steps per sample       = 7") !=
           std::string::npos);
   check("results beside are copied",
         read_text("all/beside/1/coupled_modes.csv") == read_text("modes/coupled_modes.csv"));
@@ -225,7 +227,7 @@ int main()
   std::istringstream lines(parameters);
   std::ofstream      older("all/run_01/parameters.prm");
   for (std::string line; std::getline(lines, line);)
-    if (line.find("set step bound") == std::string::npos)
+    if (line.find("set time step estimate") == std::string::npos)
       older << line << "\n";
   older.close();
   check("of another version: goes on", sweep("all", {"--restart"}).exit_code == 2);
@@ -256,11 +258,11 @@ int main()
                                 "  set figures = way, free end, steps\n"
                                 "  subsection Figure steps\n    set column = time\n  end\nend\n";
   show("a column twice", run_program({program_file(), "twice.prm", "-o", "list"}));
-  show("no entry", sweep("list", {"--set", "Sweep/entries=Output/pictures"}));
-  show("nothing beside", sweep("list", {"--set", "Sweep/beside=all"}));
+  show("no entry", sweep("list", {"--set", "Sweep/entries=Output/report"}));
+  show("nothing beside", sweep("list", {"--set", "Sweep/reference folders=all"}));
   // No file can have this name: there is none, as of any other that is not there.
   check("beside: a name too long for a folder",
-        sweep("list", {"--set", "Sweep/beside=" + std::string(300, 'x')})
+        sweep("list", {"--set", "Sweep/reference folders=" + std::string(300, 'x')})
             .text.find("has neither coupled modes") != std::string::npos);
   show("nothing to vary", sweep("list", {"--set", "Sweep/parameters="}));
   numerical();

@@ -68,8 +68,8 @@ namespace
            model_text::section("Load pull",
                                "set nodes = end\nset kind = pressure\nset pressure = -10 MPa\n") +
            model_text::probe("corner", "10, 10, 0 mm") +
-           "end\nsubsection Output\n set verbosity = quiet\n set fields every = 0\nend\n"
-           "subsection Fem\n set element = quadratic\n" +
+           "end\nsubsection Output\n set verbosity = quiet\n set field output interval = 0\nend\n"
+           "subsection Fem\n set element type = quadratic\n" +
            fem + "end\nsubsection Linear static\n subsection Adaptive refinement\n" + adaptive +
            " end\nend\n";
   }
@@ -115,7 +115,8 @@ namespace
   void unsettled(Communicator &world)
   {
     run_text("l_corner",
-             plate("", "set result = corner von mises\nset tolerance = 1e-3\nset most steps = 2\n"),
+             plate("",
+                   "set result = corner von mises\nset tolerance = 1e-3\nset maximum steps = 2\n"),
              world);
     const auto steps = read_columns("l_corner/adaptive_refinement.csv");
     check("at most so many steps", steps.at("step").back() == 2);

@@ -38,9 +38,9 @@ namespace
 
   void stiff_bodies(Communicator &world)
   {
-    const Model        model = make_model("set web = none",
-                                   "set rim rows = 2",
-                                   "subsection Operation\n set hub = rigid hub\nend\n"
+    const Model        model = make_model("set body type = rim only",
+                                   "set elements through rim = 2",
+                                   "subsection Operation\n set bore rotation = rigid\nend\n"
                                           "subsection Material steel\n set Young's modulus = 2.06e8\nend\n"
                                           "subsection Contact\n set penalty = 3e4\nend\n",
                                    world);
@@ -87,7 +87,7 @@ namespace
 
   void standing_waves(Communicator &world)
   {
-    const Model     model = make_model("set web = conical",
+    const Model     model = make_model("set body type = conical web",
                                    coarse_web,
                                    "subsection Contact\n set penalty = 6e5\nend\n",
                                    world);
@@ -137,7 +137,7 @@ namespace
   {
     std::filesystem::remove_all("coupled_modes_results");
     std::ofstream("coupled.prm")
-      << quick_pair("set web = none", "set rim rows = 2", "1e-5")
+      << quick_pair("set body type = rim only", "set elements through rim = 2", "1e-5")
       << "subsection Study\n set kind = loaded tooth contact analysis\nend\n"
       << "subsection Loaded contact\n set positions = 1\n set coupled modes = 4\nend\n";
     run_pair("coupled.prm", "coupled_modes_results", world);
@@ -150,7 +150,8 @@ namespace
     // is nearly rigid beside the contact. The stiffness is that of the loaded equilibrium.
     auto         positions = read_columns("coupled_modes_results/loaded_contact.csv");
     const double stiffness = positions["tangent stiffness"][0]; // [N m/rad]
-    const Model  model     = make_model("set web = none", "set rim rows = 2", "", world);
+    const Model  model =
+      make_model("set body type = rim only", "set elements through rim = 2", "", world);
     const double inertia =
       1e-3 * model.bodies[model.transmission->driven].axial_inertia(); // [kg m^2]
     double shares = 0, apart = 1;

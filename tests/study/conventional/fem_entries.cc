@@ -38,7 +38,7 @@ namespace
   }
 
   const std::string cantilever =
-    clamped_beam("set cells along length = 20\nset cells across width = 1\n");
+    clamped_beam("set elements along length = 20\nset elements across width = 1\n");
 
   void solvers(Communicator &world)
   {
@@ -108,7 +108,7 @@ namespace
       model_text::ring("wheel", {{20, 40, 30}}, {{8, 96, 2}}) +
       model_text::section("Constraint hub", "set kind = free rotation\nset nodes = inner\n");
     const std::string umbrella =
-      "  set modes = 3\n  set cyclic symmetry = yes\n  set largest nodal diameter = 0\n";
+      "  set modes = 3\n  set cyclic symmetry = yes\n  set maximum nodal diameter = 0\n";
     const double a = 20, b = 40, shear_speed = std::sqrt(206000 / (2 * 1.29) / 7.85e-9);
     const auto   remainder = [=](const double k) {
       return std::cyl_bessel_j(1, k * a) * std::cyl_neumann(2, k * b) -
@@ -159,16 +159,17 @@ namespace
   void linear_solver(Communicator &world)
   {
     const std::string pulled =
-      clamped_beam(
-        "set cells along length = 40\nset cells across width = 6\nset cells over height = 10\n") +
+      clamped_beam("set elements along length = 40\nset elements across width = 6\nset cells over "
+                   "height = 10\n") +
       "set loads = pull\nset probes = tip\n" +
       model_text::section("Load pull", "set nodes = x+\nset force = 1000, 0, 0\n") +
       model_text::probe("tip", "100, 0, 0");
     const auto solve = [&](const std::string &solver) {
-      return run_text("pulled",
-                      study("linear static", pulled, "  set linear solver = " + solver) +
-                        "subsection Output\n  set pictures = no\n  set fields every = 0\nend\n",
-                      world)["tip displacement x"]
+      return run_text(
+               "pulled",
+               study("linear static", pulled, "  set linear solver = " + solver) +
+                 "subsection Output\n  set report = no\n  set field output interval = 0\nend\n",
+               world)["tip displacement x"]
         .back();
     };
     const double exact = solve("direct\n");
@@ -187,7 +188,7 @@ namespace
       model_text::ring("ring",
                        {{99.5, 100.5, 2}},
                        {{1, 90, 1}},
-                       "set bearing = yes\nset speed = 100 rad/s\n") +
+                       "set rotating = yes\nset speed = 100 rad/s\n") +
       model_text::section("Constraint guide",
                           "set kind = displacement\nset directions = theta, z\n"
                           "set nodes = all\n") +
@@ -199,7 +200,7 @@ namespace
                            study("linear static", spun, "") + "subsection Material steel\n" +
                              "  set Poisson's ratio = 0\nend\nsubsection Linear static\n" +
                              "  set centrifugal = " + (is_on ? "yes" : "no") +
-                             "\nend\nsubsection Output\n  set pictures = no\nend\n",
+                             "\nend\nsubsection Output\n  set report = no\nend\n",
                            world)["rim displacement r"]
                       .back() /
                     (7.85e-9 * 1e4 * 1e6 / 206000),

@@ -41,9 +41,9 @@ int main(int argc, char **argv)
   const TestRanks ranks(argc, argv);
   const Model     model =
     make_gear_model("faces.prm",
-                    few_teeth("set web = none", "set rim rows = 2") +
+                    few_teeth("set body type = rim only", "set elements through rim = 2") +
                       "subsection Operation\nset speed = 20000 rpm\nset torque = 800 N m\n"
-                      "set tooth meshes = 1\nset hub = rigid hub\nend\n",
+                      "set mesh cycles = 1\nset bore rotation = rigid\nend\n",
                     ranks.world);
   const RootStress stress(model, {});
   Matrix3          growth = 1e-3 * Matrix3::Identity(), any;

@@ -83,7 +83,7 @@ int main(int argc, char **argv)
 {
   MpiSession session(argc, argv);
   std::ofstream("grid_pressure.prm")
-    << quick_pair("set web = none", "set rim rows = 2", "1e-5")
+    << quick_pair("set body type = rim only", "set elements through rim = 2", "1e-5")
     << "subsection Study\n set kind = loaded tooth contact analysis\nend\n"
     << "subsection Loaded contact\n set positions = 1\n set pressure cells = 8\nend\n";
   const std::vector<std::string> columns = {"share of torque",
@@ -96,7 +96,7 @@ int main(int argc, char **argv)
   // depend on how the coarse grid lies, to 1 %.
   compare_penalties("grid_pressure.prm",
                     "quadratic",
-                    {"Fem/element=quadratic", "Fem/geometry=curved"},
+                    {"Fem/element type=quadratic", "Fem/geometry=curved"},
                     {"share of torque", "transmission error", "contact length"},
                     session.world());
   std::ofstream("grid_pressure_shafts.prm")

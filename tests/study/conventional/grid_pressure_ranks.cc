@@ -15,7 +15,9 @@ int main(int argc, char **argv)
   const bool        first = session.world().is_root();
   const std::string file  = "grid_pressure_ranks.prm";
   if (first)
-    std::ofstream(file) << quick_pair("set web = none", "set rim rows = 2", "1e-5")
+    std::ofstream(file) << quick_pair("set body type = rim only",
+                                      "set elements through rim = 2",
+                                      "1e-5")
                         << "subsection Study\n set kind = loaded tooth contact analysis\nend\n"
                            "subsection Loaded contact\n set positions = 2\n"
                            " set pressure cells = 8\nend\n";

@@ -75,10 +75,11 @@ end
                  bar(fixed, force + "\nset history = 3*t") +
                    "subsection Linear static\n set loads = at time\n set time = 0.5 s\nend\n",
                  1.5);
-    check_pulled("quadratic elements, direct solver",
-                 bar(fixed, "set kind = pressure\nset pressure = -10 MPa") +
-                   "subsection Fem\n set linear solver = direct\n set element = quadratic\nend\n",
-                 1.);
+    check_pulled(
+      "quadratic elements, direct solver",
+      bar(fixed, "set kind = pressure\nset pressure = -10 MPa") +
+        "subsection Fem\n set linear solver = direct\n set element type = quadratic\nend\n",
+      1.);
 
     auto h = run_static("linear_bar",
                         bar("set kind = spring\nset stiffness = 5000, 5000, 5000 N/mm", force),
@@ -309,10 +310,10 @@ end
   {
     std::filesystem::remove_all("linear_pair");
     // The model that the study makes, for what it is given.
-    const std::string all = quick_pair("set web = conical", coarse_web, "1e-5");
+    const std::string all = quick_pair("set body type = conical web", coarse_web, "1e-5");
     std::ofstream("linear_pair_case.prm") << all.substr(0, all.find("subsection Dynamics"));
     std::ofstream("linear_pair.prm")
-      << quick_pair("set web = conical", coarse_web, "1e-5")
+      << quick_pair("set body type = conical web", coarse_web, "1e-5")
       << "subsection Study\n set kind = linear static\nend\nsubsection Fem\n set bodies = "
          "gear\nend\nsubsection Linear static\n set spin softening = no\n set stress stiffness = "
          "no\nend\n";
@@ -371,7 +372,7 @@ subsection Dynamics
   end
 end
 subsection Output
-  set pictures = no
+  set report = no
   set verbosity = quiet
 end
 )";

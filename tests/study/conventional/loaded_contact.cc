@@ -22,13 +22,14 @@ namespace
   void analyse(const std::string &folder, const double torque, Communicator &world)
   {
     std::filesystem::remove_all(folder);
-    std::string       all   = quick_pair("set web = none", "set rim rows = 2", "1e-5");
+    std::string all =
+      quick_pair("set body type = rim only", "set elements through rim = 2", "1e-5");
     const std::string given = "torque       = 800";
     all.replace(all.find(given), given.size(), "torque = " + std::to_string(torque));
     std::ofstream("loaded_contact.prm")
       << all << "subsection Study\n set kind = loaded tooth contact analysis\nend\n"
       << "subsection Loaded contact\n set positions = 2\nend\n"
-      << "subsection Output\n set fields every = 0.5\nend\n";
+      << "subsection Output\n set field output interval = 0.5\nend\n";
     run_pair("loaded_contact.prm", folder, world);
   }
 
@@ -75,7 +76,7 @@ namespace
                     1e-12 * pressure);
       }
     // A half pitch of the pinion, from its position at the reference on.
-    check("positions: halves of a tooth mesh",
+    check("positions: halves of a mesh cycle",
           positions["position"][0] == 0 && positions["position"][1] == .5);
     check_close("positions: turn of the pinion [deg]",
                 positions["pinion angle"][1] - positions["pinion angle"][0],

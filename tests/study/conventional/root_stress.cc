@@ -32,7 +32,7 @@ end
   void write_file(const std::string &more)
   {
     std::ofstream("root_stress.prm")
-      << quick_pair("set web = none", "set rim rows = 2", "1e-5")
+      << quick_pair("set body type = rim only", "set elements through rim = 2", "1e-5")
       << "subsection Study\n set kind = loaded tooth contact analysis\nend\n"
       << "subsection Loaded contact\n set positions = 2\nend\n"
       << more;
@@ -235,9 +235,10 @@ end
     std::filesystem::remove_all("root_stress_sweep");
     std::ofstream("root_stress_sweep.prm")
       << "subsection Study\n set kind = sweep\nend\n"
-         "subsection Sweep\n set base = root_stress.prm\n set pictures = no\n"
+         "subsection Sweep\n set base = root_stress.prm\n set report = no\n"
          " set parameters = torque\n"
-         " set entries = Study/kind = reduced; Fillets/teeth = in mesh; Output/history every = 50\n"
+         " set entries = Study/kind = reduced; Fillets/teeth = in mesh; Output/samples per mesh "
+         "cycle = 50\n"
          " subsection Parameter torque\n  set entry = Operation/torque\n"
          "  set values = 800 N m\n end\nend\n";
     run_case("root_stress_sweep.prm", "root_stress_sweep", world);
@@ -277,8 +278,9 @@ int main(int argc, char **argv)
   check_sections();
   check_gauge();
   check_choices(session.world());
-  check_run({"Study/kind=run", "Fillets/teeth=in mesh", "Output/fields every=0"}, session.world());
-  check_run({"Study/kind=reduced", "Fillets/teeth=in mesh", "Output/history every=50"},
+  check_run({"Study/kind=run", "Fillets/teeth=in mesh", "Output/field output interval=0"},
+            session.world());
+  check_run({"Study/kind=reduced", "Fillets/teeth=in mesh", "Output/samples per mesh cycle=50"},
             session.world());
   check_sweep(session.world());
   check_refusals(session.world());

@@ -32,10 +32,11 @@ namespace
   {
     return study(kind) +
            "subsection Model\nset bodies = shaft\nset constraints = left, right, drive\n" +
-           shaft("0 60 100",
-                 "set cells around = 16\nset axial cell size = 15\nset radial cell size = 20\n"
-                 "set material = rigid\n" +
-                   body) +
+           shaft(
+             "0 60 100",
+             "set elements around = 16\nset axial element size = 15\nset radial element size = 20\n"
+             "set material = rigid\n" +
+               body) +
            bearing("left", "z < 1", bearings + "set axial stiffness = 5000\n") +
            bearing("right", "z > 59", bearings) +
            model_text::section("Constraint drive",
@@ -168,7 +169,8 @@ namespace
         "modes_" + std::to_string(n),
         study("modal") + "subsection Model\nset bodies = shaft\nset constraints = left, right\n" +
           shaft("0 300 20, 180 200 120 20",
-                "set cells around = 16\nset axial cell size = 20\nset radial cell size = 20\n") +
+                "set elements around = 16\nset axial element size = 20\nset radial element size = "
+                "20\n") +
           bearing("left", "z < 1", "set radial stiffness = 5000\nset axial stiffness = 5000\n") +
           bearing("right", "z > 299", "set radial stiffness = 5000\n") + "end\n" +
           fem(n, "9000 rpm"),

@@ -108,10 +108,11 @@ int main(int argc, char **argv)
   MpiSession session(argc, argv);
   std::filesystem::remove_all("lumped_results");
   made_up_results();
-  std::ofstream("values.prm") << "include " << tree_folder()
-                              << "/prm/lumped/torsional_pair.prm\n"
-                                 "subsection Lumped\n set speeds = 5\n set settling meshes = 300\n"
-                                 " set measured meshes = 5\n set pictures = no\nend\n";
+  std::ofstream("values.prm")
+    << "include " << tree_folder()
+    << "/prm/lumped/torsional_pair.prm\n"
+       "subsection Lumped\n set speeds = 5\n set settling mesh cycles = 300\n"
+       " set recorded mesh cycles = 5\n set report = no\nend\n";
   run_case("values.prm", "lumped_results", session.world());
   const nlohmann::json values = read_results("lumped_results");
   // sqrt(2.2e9/27.978)/(2 pi)
@@ -124,7 +125,7 @@ int main(int argc, char **argv)
               8e5 / 89.8,
               .01 * 8e5 / 89.8);
   auto motion = read_columns("lumped_results/lumped.csv");
-  check("64 samples in five tooth meshes", motion["dte"].size() == 320);
+  check("64 samples in five mesh cycles", motion["dte"].size() == 320);
   std::ifstream sweep("lumped_results/resonance.csv");
   unsigned int  rows = 0;
   for (std::string line; std::getline(sweep, line);)
@@ -143,17 +144,18 @@ int main(int argc, char **argv)
   check("five speeds up, as when the sweep comes down again", same);
 
   std::ofstream("table.csv")
-    << "position [tooth meshes],unloaded transmission error [arcsec],transmission error [arcsec],"
+    << "position [mesh cycles],unloaded transmission error [arcsec],transmission error [arcsec],"
        "contact torque on the gear [N m],tangent stiffness [N m/rad]\n"
        "0,1,-54,800,3.8e6\n0.5,-1,-56,800,3.7e6\n";
   // The kind knows no Dynamics and no Output.
-  const std::string all = quick_pair("set web = none", "set rim rows = 2", "1e-5");
+  const std::string all =
+    quick_pair("set body type = rim only", "set elements through rim = 2", "1e-5");
   std::ofstream("pair.prm")
     << all.substr(0, all.find("subsection Dynamics"))
     << "subsection Study\n set kind = lumped\nend\n"
        "subsection Lumped\n set mesh = loaded contact\n"
-       " set table = table.csv\n set settling meshes = 100\n"
-       " set measured meshes = 5\n set pictures = no\n set supports = axial, tilt\n"
+       " set table = table.csv\n set settling mesh cycles = 100\n"
+       " set recorded mesh cycles = 5\n set report = no\n set supports = axial, tilt\n"
        " subsection Support axial\n set direction = 0, 0, 1\n"
        " set mass = 1.7 kg\n set stiffness = 1e6\n end\n"
        " subsection Support tilt\n set motion = tilt\n"

@@ -92,8 +92,8 @@ namespace
   /** Histories of a case, a sample every step. */
   Columns run_case(const std::string &file, std::vector<std::string> overrides, Communicator &world)
   {
-    overrides.emplace_back("Output/pictures=no");
-    overrides.emplace_back("Output/history every=1");
+    overrides.emplace_back("Output/report=no");
+    overrides.emplace_back("Output/steps per sample=1");
     return read_columns(do_case(file, std::move(overrides), world) + "history.csv");
   }
 
@@ -121,11 +121,11 @@ namespace
     const auto row =
       row_of(element_page, "### Gear of the reference pair", "quick (15,168 elements), 0 ");
     const Columns found = read_columns(do_case("prm/spiral_bevel_modes.prm",
-                                               {"Operation/hub=free rotation",
+                                               {"Operation/bore rotation=per node",
                                                 "Fem/speeds=0",
                                                 "Fem/cyclic symmetry=yes",
                                                 "Fem/modes=3",
-                                                "Output/pictures=no"},
+                                                "Output/report=no"},
                                                world) +
                                        "modes.csv");
     // Columns n = 1, umbrella, 2, 3, 4.
@@ -142,7 +142,7 @@ namespace
     const auto    row = row_of(element_page, "One sector of the quick gear", "quadratic, curved");
     const Columns found =
       read_columns(do_case("prm/fem/gear_modes_cubic.prm",
-                           {"Fem/element=quadratic", "Fem/modes=2", "Output/pictures=no"},
+                           {"Fem/element type=quadratic", "Fem/modes=2", "Output/report=no"},
                            world) +
                    "modes.csv");
     const std::vector<unsigned int> diameters = {1, 0, 2, 3};
@@ -159,11 +159,11 @@ namespace
       {
         const auto row =
           row_of(element_page, "### Rise of frequencies", "`strain measure = " + measure + "`");
-        const Columns found = read_columns(
-          do_case("prm/fem/gear_in_spin.prm",
-                  {"Fem/strain measure=" + measure, "Fem/modes=1", "Output/pictures=no"},
-                  world) +
-          "modes.csv");
+        const Columns found =
+          read_columns(do_case("prm/fem/gear_in_spin.prm",
+                               {"Fem/strain measure=" + measure, "Fem/modes=1", "Output/report=no"},
+                               world) +
+                       "modes.csv");
         for (unsigned int n = 0; n < 5; ++n)
           compare("n = " + std::to_string(n),
                   row[1 + n],
@@ -176,7 +176,7 @@ namespace
   {
     const std::string file = "prm/verification/free_spin.prm";
     auto              row  = row_of(dynamics_page, "| safety |", "polar, largest energy error");
-    auto              h    = run_case(file, {"Dynamics/safety=0.9"}, world);
+    auto              h    = run_case(file, {"Dynamics/time step factor=0.9"}, world);
     compare("safety 0.9 [%]", row[1], 0, 100 * largest(h["energy error"]));
 
     row = row_of(dynamics_page, "**Frames.**", "drift of angular momentum a revolution");
@@ -184,15 +184,16 @@ namespace
     const std::string revolution = "Dynamics/end time=0.3141592653589793 ms";
     auto              polar      = run_case(file, {revolution}, world)["angular momentum z"];
     check_below("  polar", polar.back() / polar.front() - 1, 10 * numbers_in(row[1]).at(0).value);
-    auto three =
-      run_case(file, {revolution, "Dynamics/frame=three nodes"}, world)["angular momentum z"];
+    auto three = run_case(file,
+                          {revolution, "Dynamics/corotational frame=three nodes"},
+                          world)["angular momentum z"];
     compare("three nodes", row[2], 0, three.back() / three.front() - 1);
   }
 
   void bars_and_beams(Communicator &world)
   {
     auto row = row_of(element_page, "## Orders of the explicit", "rotating bar, u(L)");
-    auto h   = run_case("prm/verification/rotating_bar.prm", {"Model/Body bar/cells x=10"}, world);
+    auto h = run_case("prm/verification/rotating_bar.prm", {"Model/Body bar/elements x=10"}, world);
     compare("10 cells, relative error",
             row[2],
             0,
@@ -200,9 +201,9 @@ namespace
 
     row = row_of(element_page, "**Elements and frames.**", "cantilever's ring-down, frequency");
     h   = run_case("prm/verification/vibrating_cantilever.prm",
-                 {"Model/Body beam/cells along length=20",
-                    "Model/Body beam/cells over height=2",
-                    "Dynamics/stiffness=full"},
+                 {"Model/Body beam/elements along length=20",
+                    "Model/Body beam/elements over height=2",
+                    "Dynamics/element type=full integration"},
                  world);
     std::vector<double> zeros;
     const auto         &t = h["time"], &w = h["tip displacement z"];
@@ -216,7 +217,7 @@ namespace
 
     row = row_of(dynamics_page, "**Energy balance.**", "two bars, 25 to 200 cells");
     h   = run_case("prm/verification/two_bars.prm",
-                 {"Model/Body flying/cells x=25", "Model/Body resting/cells x=25"},
+                 {"Model/Body flying/elements x=25", "Model/Body resting/elements x=25"},
                  world);
     // What the iteration of the implicit contact leaves: only its size is stated.
     check_below("  25 cells [%]",
@@ -238,7 +239,7 @@ namespace
             row[2],
             0,
             read_columns(do_case("prm/fem/loaded_spiral_bevel_quick.prm",
-                                 {"Gear pair/Gear/Body/web=none",
+                                 {"Gear pair/Gear/Body/body type=rim only",
                                   "Loaded contact/positions=1",
                                   three_points,
                                   quick_penalty},
@@ -248,9 +249,10 @@ namespace
 
     row = row_of(pair_page, "| quick pair with web |", "the same, 6,344 elements");
     // The coarsest web with one row more; what coupled modes need besides.
-    std::string rows = coarse_web;
-    rows.replace(rows.find("web rows = 3"), 12, "web rows = 4");
-    const std::string pair = quick_pair("set web = conical", rows, "1e-5");
+    std::string       rows  = coarse_web;
+    const std::string three = "elements along web = 3";
+    rows.replace(rows.find(three), three.size(), "elements along web = 4");
+    const std::string pair = quick_pair("set body type = conical web", rows, "1e-5");
     std::ofstream("coupled_row.prm")
       << pair.substr(0, pair.find("subsection Dynamics"))
       << "subsection Study\n set kind = loaded tooth contact analysis\nend\n"
@@ -280,9 +282,9 @@ namespace
     nlohmann::json summary;
     const auto     start = [&](const std::string &web) {
       std::ifstream file(do_case("prm/spiral_bevel_quick.prm",
-                                 {"Gear pair/Gear/Body/web=" + web,
-                                  "Dynamics/largest number of steps=1",
-                                  "Output/pictures=no",
+                                 {"Gear pair/Gear/Body/body type=" + web,
+                                  "Dynamics/maximum number of steps=1",
+                                  "Output/report=no",
                                   three_points,
                                   quick_penalty},
                                  world) +
@@ -293,7 +295,7 @@ namespace
       return summary.at(part).at(name).at("value").get<double>();
     };
     const auto part = [&](const char *name) { return figure("transmission error", name); };
-    start("conical");
+    start("conical web");
 
     auto row = row_of(paper, "## Claims", "contact force hardly depends on thickness");
     compare("torque over arm [N]", row[2], 0, figure("figures", "torque over effective arm"));
@@ -309,7 +311,7 @@ namespace
 
     // A line search by the potential alone finds no end there (doc/theory/fem.md, Static with
     // contact).
-    start("none");
+    start("rim only");
     row = row_of(paper, "## Where the transmission error", "none |");
     compare("teeth, rim bending and rest [arcsec]",
             row[3],

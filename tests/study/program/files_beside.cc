@@ -30,8 +30,8 @@ subsection Dynamics
   set end time = 4 us
 end
 subsection Output
-  set history every = 1
-  set pictures      = no
+  set steps per sample = 1
+  set report        = no
 end
 )";
     // An included file names its files beside itself.
@@ -135,7 +135,7 @@ subsection Study
 end
 subsection Compare
   set cases    = one, two
-  set pictures = no
+  set report = no
   set entries  = Model/Load push/history = 1; Material steel/Poisson's ratio = 0
   subsection Case one
     set base    = push.prm
@@ -303,11 +303,11 @@ int main()
   // A run that goes on with nothing but the folder of its results.
   check("short run",
         run_in("case",
-               {program, "push.prm", "-o", "short", "--set", "Dynamics/largest number of steps=9"})
+               {program, "push.prm", "-o", "short", "--set", "Dynamics/maximum number of steps=9"})
             .exit_code == 0);
   const Ending longer =
     run_in("elsewhere",
-           {program, "--restart", "../case/short", "--set", "Dynamics/largest number of steps=20"});
+           {program, "--restart", "../case/short", "--set", "Dynamics/maximum number of steps=20"});
   check("--restart DIR alone", longer.exit_code == 0);
   if (longer.exit_code != 0)
     std::cout << longer.text;

@@ -117,13 +117,14 @@ namespace
   {
     const auto dynamics = [](const std::string &entry) {
       return "subsection Dynamics\n  set end time = 20 us\n  " + entry +
-             "\nend\nsubsection Output\n  set history every = 1\nend\n";
+             "\nend\nsubsection Output\n  set steps per sample = 1\nend\n";
     };
-    check("run", run("run", dynamics("set largest number of steps = 20"), world) == "done");
+    check("run", run("run", dynamics("set maximum number of steps = 20"), world) == "done");
     write_report();
     const auto before = read_all();
     check("it cannot go on with another damping",
-          run("run", dynamics("set damping = 400"), world, true) == "input error");
+          run("run", dynamics("set mass proportional damping = 400"), world, true) ==
+            "input error");
     check("refused: all bytes are as before", read_all() == before);
 
     // A right checksum of another model: that shows when the run has opened its files.
@@ -149,7 +150,7 @@ int main(int argc, char **argv)
 {
   MpiSession session(argc, argv);
   std::filesystem::remove_all(folder);
-  const std::string quiet = "subsection Output\n  set pictures = no\nend\n";
+  const std::string quiet = "subsection Output\n  set report = no\nend\n";
   const auto        fem   = [](const std::string &entry) {
     return "subsection Fem\n  set " + entry + "\nend\n";
   };

@@ -19,9 +19,9 @@ subsection Model
   set constraints = clamp
   subsection Body bar
     set mesh    = block
-    set cells x = 4
-    set cells y = 2
-    set cells z = 2
+    set elements x = 4
+    set elements y = 2
+    set elements z = 2
   end
   subsection Constraint clamp
     set nodes = x-
@@ -37,7 +37,7 @@ subsection Fem
   set modes = 2
 end
 subsection Output
-  set pictures = no
+  set report = no
 end
 )";
 
@@ -111,26 +111,26 @@ int main(int argc, char **argv)
 subsection Gear pair
   subsection Pinion
     subsection Mesh
-      set cells lengthwise   = 2
-      set cells across tooth = 2
-      set flank rows         = 2
-      set rim rows           = 2
+      set elements along face width = 2
+      set elements across tooth = 2
+      set elements along profile = 2
+      set elements through rim = 2
     end
   end
   subsection Gear
     subsection Body
-      set web = none
+      set body type = rim only
     end
     subsection Mesh
-      set cells lengthwise   = 2
-      set cells across tooth = 2
-      set flank rows         = 2
-      set rim rows           = 2
+      set elements along face width = 2
+      set elements across tooth = 2
+      set elements along profile = 2
+      set elements through rim = 2
     end
   end
 end
 subsection Dynamics
-  set damping = 1000
+  set mass proportional damping = 1000
 end
 )";
   const std::string paper = std::string("include ") + tree_folder() + "/prm/paper_pair.prm\n";
@@ -143,7 +143,8 @@ end
                              "  set torque = 800 N m\nend\n";
   for (const char *kind : {"run", "tooth contact analysis"})
     std::cout << kind << ": " << do_study(of_kind(kind, loaded), world, true) << std::endl;
-  refuse(of_kind("tooth contact analysis", replaced(loaded, "set web", "set wed")), world);
+  refuse(of_kind("tooth contact analysis", replaced(loaded, "set body type", "set body tipe")),
+         world);
   refuse(of_kind("tooth contact analysis", replaced(loaded, "subsection Body", "subsection Bdy")),
          world);
   refuse(of_kind("tooth contact analysis", loaded + "subsection Model\nend\n"), world);

@@ -25,7 +25,8 @@ namespace
   /** The pair without what only runs have. */
   std::string bodies()
   {
-    const std::string text = quick_pair("set web = none", "set rim rows = 2", "1e-6");
+    const std::string text =
+      quick_pair("set body type = rim only", "set elements through rim = 2", "1e-6");
     return text.substr(0, text.find("subsection Operation"));
   }
 
@@ -161,7 +162,7 @@ subsection Benchmark
   set cells          = 3
   set plain elements = 8
   set contact steps  = 2
-  set largest number of ranks = 16
+  set maximum number of ranks = 16
   set message latency         = 2 us
   set message bandwidth       = 4
   set closing        = )" +
@@ -201,9 +202,10 @@ subsection Benchmark
   /** What summary.json says of a run, from the files beside it. */
   void figures(Communicator &world)
   {
-    const std::string web = "set web = conical\nset web thickness = 5 mm";
+    const std::string web = "set body type = conical web\nset web thickness = 5 mm";
     const std::string mesh =
-      "set rim rows = 3\nset web layers = 1\nset web rows = 3\nset hub rows = 1\nset hub side "
+      "set elements through rim = 3\nset elements through web = 1\nset elements along web = "
+      "3\nset elements through hub = 1\nset hub side "
       "cells = 1";
     // Explicit: the contact's energy at the start is that of its springs.
     run("pair_figures",
@@ -263,7 +265,7 @@ subsection Benchmark
                 0.,
                 0.);
 
-    // One tooth mesh has no steady part: the figures are of the samples between start
+    // One mesh cycle has no steady part: the figures are of the samples between start
     // and end.
     const nlohmann::json &steady = summary.at("steady part");
     check("no steady part", steady.at("found") == false);
@@ -284,7 +286,7 @@ subsection Benchmark
                 integral.push_back(impulse[i]);
             }
         const auto ends = std::minmax_element(values.begin(), values.end());
-        double     mean = 0; // by the trapezoidal rule over whole tooth meshes
+        double     mean = 0; // by the trapezoidal rule over whole mesh cycles
         for (std::size_t i = 1; i < values.size(); ++i)
           mean += .5 * (values[i - 1] + values[i]) / (values.size() - 1);
         // Forces of the contact by all steps, which 98 samples miss by some parts in a thousand.
@@ -297,7 +299,7 @@ subsection Benchmark
             mean = (integral.back() - integral.front()) / time;
           }
         const auto &of = steady.at("columns").at(column);
-        check(std::string(column) + ": samples of a tooth mesh", values.size() == 99);
+        check(std::string(column) + ": samples of a mesh cycle", values.size() == 99);
         check_close(std::string(column) + ": mean", of.at("mean").get<double>() / mean, 1., 1e-10);
         check_close(std::string(column) + ": peak to peak",
                     of.at("peak to peak").get<double>() / (*ends.second - *ends.first),
@@ -328,7 +330,7 @@ subsection Benchmark
                 1.,
                 1e-12);
     check_close("energy: error", value("energy", "error"), history["energy error"].back(), 1e-15);
-    check_close("run: its time in tooth meshes", value("run", "time") * 9000, 1., 1e-9);
+    check_close("run: its time in mesh cycles", value("run", "time") * 9000, 1., 1e-9);
     check_close("run: steps times step over time",
                 value("run", "step") * summary.at("run").at("steps").get<double>() /
                   value("run", "time"),

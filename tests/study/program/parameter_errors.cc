@@ -61,8 +61,8 @@ namespace
 
   std::string gear_body(const std::string &entry)
   {
-    return "subsection Gear pair\n  subsection Gear\n    subsection Body\n      set web = "
-           "conical\n      " +
+    return "subsection Gear pair\n  subsection Gear\n    subsection Body\n      set body type = "
+           "conical web\n      " +
            entry + "\n    end\n  end\nend\n";
   }
 
@@ -95,10 +95,10 @@ subsection Model
   subsection Body shaft
     set mesh = stepped shaft
     set sections = 0 60 20
-    set cells around = 8
-    set axial cell size = 20 mm
-    set radial cell size = 10 mm
-    set bearing = yes
+    set elements around = 8
+    set axial element size = 20 mm
+    set radial element size = 10 mm
+    set rotating = yes
     set axis direction = 0, 0, 1
   end
   subsection Constraint left
@@ -215,18 +215,19 @@ int main(int argc, char **argv)
   refuse(write_case(gear_body("set web thicknes = 5 mm")), world);
   refuse(write_case(gear_body("set web thickness = 5 deg")), world);
   refuse(write_case(gear_body("set web thickness = -5 mm")), world);
-  refuse(write_case(gear_body("set web angle = 120 deg")), world);
+  refuse(write_case(gear_body("set web inclination = 120 deg")), world);
   refuse(write_case("subsection Gear pair\n  subsection Pinion\n    subsection Shaft\n"
                     "      set sections = 90 120 40 20\n    end\n  end\nend\n"),
          world);
   refuse(write_case("subsection Gear pairs\nend\n"), world);
   refuse(write_case("subsection Study\n  set kind = walk\nend\n"), world);
-  refuse(write_case("subsection Operation\n  set hub = rigid hob\nend\n"), world);
-  refuse(write_case("subsection Dynamics\n  set damping = 1e5 1/s\nend\n"), world);
+  refuse(write_case("subsection Operation\n  set bore rotation = rigid hob\nend\n"), world);
+  refuse(write_case("subsection Dynamics\n  set mass proportional damping = 1e5 1/s\nend\n"),
+         world);
   refuse(write_case("subsection Dynamics\n  set damping ratio = 0.5\n"
                     "  set damping frequency = 3.7 kHz\nend\n"),
          world);
-  refuse(write_case("subsection Dynamics\n  set damping = 1000 1/s\n"), world);
+  refuse(write_case("subsection Dynamics\n  set mass proportional damping = 1000 1/s\n"), world);
   refuse(write_case("include nothing_here.prm\n"), world);
   refuse("missing.prm", world);
   refuse(write_case(""), world, {"Operation/sped=1 rpm"});
@@ -246,13 +247,13 @@ int main(int argc, char **argv)
 
   // Counts that only a real run would use, and never come to the end of.
   const std::vector<std::pair<std::string, std::string>> endless = {
-    {"run", "Operation/tooth meshes=1e7"},
+    {"run", "Operation/mesh cycles=1e7"},
     {"tooth contact analysis", "Tooth contact analysis/points per pitch=1e6"},
     {"mesh", "Export/flank points lengthwise=1e9"},
-    {"lumped", "Lumped/samples=1e6"},
-    {"lumped", "Lumped/settling meshes=1e9"},
+    {"lumped", "Lumped/samples per mesh cycle=1e6"},
+    {"lumped", "Lumped/settling mesh cycles=1e9"},
     {"lumped", "Lumped/speeds=1e9"},
-    {"modal", "Fem/largest nodal diameter=1e9"},
+    {"modal", "Fem/maximum nodal diameter=1e9"},
     {"run", "Dynamics/Relaxation/load steps=1e9"},
     {"benchmark", "Benchmark/cells=5000"}};
   for (const auto &[kind, entry] : endless)
@@ -265,16 +266,16 @@ int main(int argc, char **argv)
     "cells x", "cells along length", "cells around", "axial cells", "radial cells", "radial cells"};
   for (std::size_t i = 0; i < shapes.size(); ++i)
     refuse(write_model("set mesh = " + shapes[i] + "\n    set " + counts[i] + " = 1e8"), world);
-  refuse(write_model("set mesh = block\n    set cells x = 1000\n    set cells y = 1000\n"
-                     "    set cells z = 490"),
+  refuse(write_model("set mesh = block\n    set elements x = 1000\n    set elements y = 1000\n"
+                     "    set elements z = 490"),
          world);
-  refuse(write_case(""), world, {"Gear pair/Gear/Mesh/cells lengthwise=1e7"});
-  refuse(write_case(""), world, {"Gear pair/Pinion/Mesh/cells across tooth=1e8"});
+  refuse(write_case(""), world, {"Gear pair/Gear/Mesh/elements along face width=1e7"});
+  refuse(write_case(""), world, {"Gear pair/Pinion/Mesh/elements across tooth=1e8"});
   refuse(write_case(""),
          world,
          {"Gear pair/Pinion/Shaft/sections=90 200 40 20",
-          "Gear pair/Pinion/Shaft/axial cell size=1 um",
-          "Gear pair/Pinion/Shaft/radial cell size=1 um"});
+          "Gear pair/Pinion/Shaft/axial element size=1 um",
+          "Gear pair/Pinion/Shaft/radial element size=1 um"});
 
   formulas_and_lists(world);
   files_and_sections(world);
@@ -284,7 +285,7 @@ int main(int argc, char **argv)
        world,
        {"Gear pair", "constraint", "torque", "contact"},
        {"Study/kind=modal",
-        "Gear pair/Errors/Gear/eccentricity=20 um",
+        "Gear pair/Errors/Gear/radial runout amplitude=20 um",
         "Gear pair/Mounting/offset=0.02 mm"});
   return 0;
 }

@@ -23,7 +23,7 @@ namespace
 
   std::string pair_text(const std::string &kind)
   {
-    return quick_pair("set web = conical", coarse_web, "1e-6") +
+    return quick_pair("set body type = conical web", coarse_web, "1e-6") +
            "subsection Study\n set kind = " + kind + "\nend\n";
   }
 
@@ -31,15 +31,15 @@ namespace
    * beside it. */
   std::string few_teeth_text()
   {
-    return quick_few_teeth("set web = conical", coarse_web, "1e-6") +
+    return quick_few_teeth("set body type = conical web", coarse_web, "1e-6") +
            "subsection Study\n set kind = reduced\nend\n";
   }
 
   Columns run_pair_of_kind(const std::string &kind, Communicator &world)
   {
     std::ofstream(kind + "_pair.prm") << pair_text(kind);
-    std::vector<std::string> entries = {"Operation/tooth meshes=2",
-                                        "Dynamics/start=static preload"};
+    std::vector<std::string> entries = {"Operation/mesh cycles=2",
+                                        "Dynamics/start=static equilibrium"};
     if (kind == "reduced")
       entries.emplace_back("Reduced/store=bodies");
     run_pair(kind + "_pair.prm", kind + "_pair", world, entries);
@@ -85,7 +85,7 @@ namespace
         distance += std::pow(reduced["dte"][i] - run["dte"][i], 2);
         ripple += std::pow(run["dte"][i] - mean(run["dte"]), 2);
       }
-    check_below("curve of two tooth meshes over its ripple", std::sqrt(distance / ripple), .1);
+    check_below("curve of two mesh cycles over its ripple", std::sqrt(distance / ripple), .1);
 
     const auto probes = read_columns("run_pair/probes.csv"),
                same   = read_columns("reduced_pair/probes.csv");
@@ -139,10 +139,10 @@ namespace
               "Reduced/lowest speed=12000 rpm",
               "Reduced/highest speed=20000 rpm",
               "Reduced/speeds=2",
-              "Reduced/settling meshes=12",
-              "Reduced/counted meshes=3",
+              "Reduced/settling mesh cycles=12",
+              "Reduced/recorded mesh cycles=3",
               "Reduced/cutoff frequency=20 kHz",
-              "Output/history every=10"});
+              "Output/samples per mesh cycle=10"});
     const Columns response = read_columns("sweep/resonance.csv"),
                   waves    = read_columns("sweep/wave_response.csv");
     check("a row a speed and direction", response.at("speed").size() == 4);
@@ -183,10 +183,10 @@ namespace
     double meshes = 0;
     for (const double frequency : response.at("mesh frequency"))
       meshes += 1. / frequency;
-    check("time of 15 tooth meshes and what the low pass takes",
+    check("time of 15 mesh cycles and what the low pass takes",
           summary.at("run").at("time").at("value").get<double>() > 15 * meshes &&
             summary.at("run").at("time").at("value").get<double>() < 24 * meshes);
-    check("steps of 15 tooth meshes of 10 or more at each speed",
+    check("steps of 15 mesh cycles of 10 or more at each speed",
           summary.at("run").at("steps").get<double>() > 4 * 15 * 10);
     check("speeds too far apart are said",
           summary.at("warnings").dump().find("the speeds are 8000 rpm apart") != std::string::npos);
@@ -198,7 +198,7 @@ namespace
     std::ofstream("stresses.prm") << pair_text("reduced");
     const auto sweep =
       [&](const std::string &folder, const std::string &lowest, const std::string &frequency) {
-        // Strong dampers: four of their decay times are few tooth meshes.
+        // Strong dampers: four of their decay times are few mesh cycles.
         run_pair("stresses.prm",
                  folder,
                  world,
@@ -206,16 +206,16 @@ namespace
                   "Reduced/lowest speed=" + lowest,
                   "Reduced/highest speed=18000 rpm",
                   "Reduced/speeds=2",
-                  "Reduced/settling meshes=1",
+                  "Reduced/settling mesh cycles=1",
                   "Reduced/settling decay times=4",
-                  "Reduced/counted meshes=1",
-                  "Dynamics/damping=6000",
+                  "Reduced/recorded mesh cycles=1",
+                  "Dynamics/mass proportional damping=6000",
                   "Reduced/cutoff frequency=20 kHz",
                   "Reduced/store=bodies_to_20_kHz",
                   "Reduced/allowed amplification=1.03",
                   "Reduced/highest frequency=" + frequency,
                   "Fillets/teeth=all",
-                  "Output/history every=50"});
+                  "Output/samples per mesh cycle=50"});
       };
     sweep("stresses", "150 rpm", "20 kHz");
     const Columns stress = read_columns("stresses/stress_response.csv");
@@ -244,12 +244,12 @@ namespace
                "one_speed",
                world,
                {"Operation/speed=" + speed,
-                "Operation/tooth meshes=1",
-                "Dynamics/start=static preload",
+                "Operation/mesh cycles=1",
+                "Dynamics/start=static equilibrium",
                 "Reduced/cutoff frequency=20 kHz",
                 "Reduced/store=bodies_to_20_kHz",
                 "Fillets/teeth=all",
-                "Output/stress waves=1"});
+                "Output/stress wave diameters=1"});
       return read_columns("one_speed/probe_waves.csv").at("largest von mises");
     };
     const std::vector<double> slow = start("150 rpm"), fast = start("18000 rpm"),
@@ -286,7 +286,7 @@ namespace
                {"Operation/speed=16000 + 5e6*t",
                 "Operation/torque=800 - 1e5*t",
                 "Operation/end time=0.5 ms",
-                "Output/tracked orders=2",
+                "Output/tracked mesh harmonics=2",
                 "Output/order window=2"});
       return read_columns(kind + "_up/history.csv");
     };
@@ -331,7 +331,7 @@ namespace
     std::ofstream("store.prm") << few_teeth_text();
     const auto turn = [&](const std::string &folder, std::vector<std::string> entries) {
       entries.emplace_back("Reduced/store=kept");
-      entries.emplace_back("Operation/tooth meshes=1");
+      entries.emplace_back("Operation/mesh cycles=1");
       run_pair("store.prm", folder, world, entries);
     };
     turn("store_first", {});
@@ -372,7 +372,7 @@ namespace
     refuse({});
     std::filesystem::remove("kept/gear.reduction");
     // For more than the bodies are kept for they are reduced again.
-    turn("store_again", {"Reduced/reach=5", "Reduced/export=yes"});
+    turn("store_again", {"Reduced/residual flexibility reach=5", "Reduced/export=yes"});
     check("matrices for other programs",
           std::filesystem::exists("store_again/gear_stiffness.mtx") &&
             std::filesystem::exists("store_again/pinion_rows.csv") &&
@@ -382,18 +382,18 @@ namespace
             read_text("kept/gear.reduction").size() > first.size());
   }
 
-  /** Stopped in the middle of a tooth mesh, between two samples. */
+  /** Stopped in the middle of a mesh cycle, between two samples. */
   void goes_on(Communicator &world)
   {
     std::ofstream("goes_on.prm") << few_teeth_text();
-    const std::vector<std::string> all = {"Operation/tooth meshes=3", "Reduced/store=few_bodies"};
+    const std::vector<std::string> all = {"Operation/mesh cycles=3", "Reduced/store=few_bodies"};
     run_pair("goes_on.prm", "whole", world, all);
     run_pair("goes_on.prm",
              "parts",
              world,
-             {"Operation/tooth meshes=3",
+             {"Operation/mesh cycles=3",
               "Reduced/store=few_bodies",
-              "Dynamics/largest number of steps=111"});
+              "Dynamics/maximum number of steps=111"});
     check("stopped where it was asked to",
           read_columns("parts/history.csv").at("time").size() <
             read_columns("whole/history.csv").at("time").size() / 2);
@@ -430,27 +430,27 @@ namespace
     });
   }
 
-  /** Strong dampers need 6 tooth meshes; the swing of this soft web may need more. A run that goes
+  /** Strong dampers need 6 mesh cycles; the swing of this soft web may need more. A run that goes
    * on length by length is that of the last length, also where it was stopped before. */
   void until_steady(Communicator &world)
   {
     std::ofstream("steady.prm") << pair_text("reduced");
     const auto turn = [&](const std::string &folder, const std::string &meshes, bool goes_on) {
-      std::vector<std::string> entries = {"Operation/tooth meshes=" + meshes,
-                                          "Operation/most tooth meshes=14",
+      std::vector<std::string> entries = {"Operation/mesh cycles=" + meshes,
+                                          "Operation/maximum mesh cycles=14",
                                           "Reduced/cutoff frequency=9 kHz",
                                           "Reduced/store=bodies_to_9_kHz",
-                                          "Dynamics/damping=20000",
-                                          "Dynamics/mesh damping=20000"};
+                                          "Dynamics/mass proportional damping=20000",
+                                          "Dynamics/driven speed damping=20000"};
       if (folder == "steady_parts" && !goes_on)
-        entries.emplace_back("Dynamics/largest number of steps=150");
+        entries.emplace_back("Dynamics/maximum number of steps=150");
       run_pair("steady.prm", folder, world, entries, goes_on);
       return read_columns(folder + "/history.csv");
     };
     const Columns     steady = turn("steady", "until steady", false);
     const std::string log    = read_text("steady/run.log");
-    check("not steady after 6 tooth meshes: the run continues to 9",
-          log.find("not steady after 6 tooth meshes: the run continues to 9") != std::string::npos);
+    check("not steady after 6 mesh cycles: the run continues to 9",
+          log.find("not steady after 6 mesh cycles: the run continues to 9") != std::string::npos);
     const auto part = read_summary("steady").at("steady part");
     const bool is_steady =
       part.at("found").get<bool>() && part.at("ripple").at("steady").get<bool>();
@@ -473,10 +473,11 @@ namespace
     const auto refuse = [&](const std::vector<std::string> &entries) {
       print_refusal([&] { run_pair("steady.prm", "refused", world, entries); });
     };
-    refuse({"Operation/tooth meshes=until steady", "Output/checkpoint every=0"});
-    refuse(
-      {"Operation/tooth meshes=until steady", "Dynamics/damping=0", "Dynamics/mesh damping=0"});
-    refuse({"Operation/tooth meshes=steady"});
+    refuse({"Operation/mesh cycles=until steady", "Output/checkpoint interval=0"});
+    refuse({"Operation/mesh cycles=until steady",
+            "Dynamics/mass proportional damping=0",
+            "Dynamics/driven speed damping=0"});
+    refuse({"Operation/mesh cycles=steady"});
   }
 
   void refusals(Communicator &world)
@@ -486,17 +487,17 @@ namespace
       print_refusal([&]() { run_pair("refused.prm", "refused", world, {entry + "=" + value}); });
     };
     refuse("Dynamics/start", "ramp");
-    refuse("Dynamics/damping rate", "mean speed");
+    refuse("Dynamics/damping reference", "mean speed");
     refuse("Contact/friction coefficient", "0.1");
     refuse("Operation/driving member", "gear");
     refuse("Reduced/sweep", "up");
     refuse("Operation/speed", "20000 - 1e9*t");
     refuse("Reduced/cutof frequency", "3 kHz");
     // Of sweeps over speed.
-    const std::vector<std::vector<std::string>> refused = {{"Fillets/teeth=in mesh"},
-                                                           {"Fillets/gauges=G"},
-                                                           {"Reduced/settling decay times=3",
-                                                            "Dynamics/damping=0"}};
+    const std::vector<std::vector<std::string>> refused = {
+      {"Fillets/teeth=in mesh"},
+      {"Fillets/gauges=G"},
+      {"Reduced/settling decay times=3", "Dynamics/mass proportional damping=0"}};
     for (std::vector<std::string> entries : refused)
       {
         entries.insert(entries.end(),

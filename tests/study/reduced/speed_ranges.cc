@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Where made-up curves over speed are above a level; how long a speed settles; what a low pass
-// leaves of known vibrations, and what passes the sectors of a body with the tooth mesh.
+// leaves of known vibrations, and what passes the sectors of a body with the mesh cycle.
 #include "../../tests.h"
 
 #include <vfife/base/complex.h>
@@ -265,13 +265,13 @@ namespace
     check("below it nothing is said", told(75e3).first.empty() && told(75e3).second.empty());
   }
 
-  /** What falls as exp(-500 t) is a tenth after 4.605 ms, 13.1 tooth meshes of 2850 Hz. */
+  /** What falls as exp(-500 t) is a tenth after 4.605 ms, 13.1 mesh cycles of 2850 Hz. */
   void lengths()
   {
     DynamicsOptions dynamics;
     dynamics.damping      = 1000;
     dynamics.mesh_damping = 2000;
-    check("twice fourteen tooth meshes", count_steady_meshes(2850, 3.2, dynamics) == 28);
+    check("twice fourteen mesh cycles", count_steady_meshes(2850, 3.2, dynamics) == 28);
     check("or two swing periods behind them", count_steady_meshes(2850, 9.5, dynamics) == 14 + 20);
     dynamics.damping = 4000;
     check("the slower one counts", count_steady_meshes(2850, 3.2, dynamics) == 7 + 8);

@@ -28,7 +28,7 @@ namespace
 
   std::string text()
   {
-    return coarse_pair("set web = conical", coarse_web) +
+    return coarse_pair("set body type = conical web", coarse_web) +
            "subsection Operation\n  set speed = 8000 rpm\n  set torque = 800 N m\nend\n";
   }
 
@@ -128,13 +128,13 @@ namespace
         run_pair("stress_waves_run.prm",
                  "refused",
                  world,
-                 {"Output/stress waves=" + std::string(diameters)});
+                 {"Output/stress wave diameters=" + std::string(diameters)});
       });
     print_refusal([&]() {
       run_pair(tree_folder() + "/prm/verification/free_spin.prm",
                "refused",
                world,
-               {"Output/stress waves=3"});
+               {"Output/stress wave diameters=3"});
     });
   }
 } // namespace

@@ -26,19 +26,19 @@ subsection Study
   set kind = waves
 end
 subsection Dynamics
-  set damping      = 800
-  set mesh damping = 6000
+  set mass proportional damping = 800
+  set driven speed damping = 6000
 end
 subsection Reduced
-  set settling meshes = 20
-  set counted meshes  = 4
+  set settling mesh cycles = 20
+  set recorded mesh cycles = 4
 end
 subsection Waves
   set lowest speed  = 7000 rpm
   set highest speed = 8300 rpm
-  set diameters     = 4
+  set nodal diameters = 4
   set mesh harmonics = 1
-  set decay times           = 4
+  set settling decay times  = 4
   set allowed amplification = 1.05
 end
 subsection Operation
@@ -46,8 +46,8 @@ subsection Operation
   set torque = 800 N m
 end
 subsection Output
-  set history every = 30
-  set pictures      = false
+  set samples per mesh cycle = 30
+  set report        = false
   set verbosity     = quiet
 end
 )";
@@ -59,7 +59,9 @@ end
     run_pair("waves.prm",
              "predicted",
              world,
-             {"Waves/driven=no", "Waves/diameters=3, 4", "Waves/highest speed=12000 rpm"});
+             {"Waves/simulate response=no",
+              "Waves/nodal diameters=3, 4",
+              "Waves/highest speed=12000 rpm"});
     const Columns lines = read_columns("predicted/waves_lines.csv");
     check("two waves of four diameters, none of three between the speeds",
           lines.at("speed").size() == 2 && lines.at("nodal diameter")[0] == 4);
@@ -106,7 +108,7 @@ end
                   "Fem/mass=lumped",
                   "Fem/coriolis=yes",
                   "Fem/cyclic symmetry=yes",
-                  "Fem/largest nodal diameter=4"});
+                  "Fem/maximum nodal diameter=4"});
         const Columns modes = read_columns("modal/modes.csv");
         double        least = 1.;
         for (std::size_t m = 0; m < modes.at("frequency").size(); ++m)
@@ -127,7 +129,7 @@ end
       run_pair("waves.prm",
                folder,
                world,
-               {"Waves/driven=no",
+               {"Waves/simulate response=no",
                 "Waves/lowest speed=" + std::to_string(speed - near) + " rpm",
                 "Waves/highest speed=" + std::to_string(speed + near) + " rpm"});
       return read_columns(folder + "/waves_lines.csv");
@@ -141,10 +143,10 @@ end
     run_pair("waves.prm",
              "orders",
              world,
-             {"Waves/driven=no",
+             {"Waves/simulate response=no",
               "Waves/lowest speed=0 rpm",
               "Waves/highest speed=10000 rpm",
-              "Waves/diameters=0, 3, 4",
+              "Waves/nodal diameters=0, 3, 4",
               "Waves/mesh harmonics=3"});
     const Table   lines  = read_result_table("orders/waves_lines.csv");
     const Columns met    = read_columns("orders/waves_in_contact.csv");
@@ -209,7 +211,9 @@ end
     run_pair("waves.prm",
              "swing",
              world,
-             {"Waves/driven=no", "Waves/lowest speed=1500 rpm", "Waves/highest speed=6000 rpm"});
+             {"Waves/simulate response=no",
+              "Waves/lowest speed=1500 rpm",
+              "Waves/highest speed=6000 rpm"});
     const Columns         low = read_columns("swing/waves_in_contact.csv");
     std::map<int, double> swing;
     for (std::size_t m = 0; m < low.at("speed").size(); ++m)
@@ -229,7 +233,7 @@ end
              {"Study/kind=reduced",
               "Fillets/teeth=all",
               "Operation/speed=" + std::to_string(lines.at("speed in contact")[0]) + " rpm",
-              "Operation/tooth meshes=1"});
+              "Operation/mesh cycles=1"});
     const Table roots = read_result_table("fillets/root_stress.csv");
     const auto &time = roots.numbers("time"), &tension = roots.numbers("tension");
     for (const std::size_t place : {2, 3})
@@ -313,17 +317,17 @@ end
   /** Three diameters of a pair of few teeth, whose steps are long and cheap. More points than
    * other tests have keep the ripple of its contact small, which excites both pairs unlike. */
   const std::vector<std::string> by_runs = {"Waves/solver=run",
-                                            "Waves/diameters=3",
+                                            "Waves/nodal diameters=3",
                                             "Waves/lowest speed=22500 rpm",
                                             "Waves/highest speed=23500 rpm",
                                             "Contact/points per facet=12",
                                             "Contact/penalty=300000",
                                             "Fillets/teeth=all",
-                                            "Dynamics/damping=3000",
-                                            "Reduced/settling meshes=10",
-                                            "Reduced/counted meshes=2",
-                                            "Waves/decay times=1.5",
-                                            "Waves/offsets=-4 %, 0 %, 4 %",
+                                            "Dynamics/mass proportional damping=3000",
+                                            "Reduced/settling mesh cycles=10",
+                                            "Reduced/recorded mesh cycles=2",
+                                            "Waves/settling decay times=1.5",
+                                            "Waves/speed offsets=-4 %, 0 %, 4 %",
                                             "Waves/allowed amplification=1.02"};
 
   /** The largest tension of the gear's teeth at the start by another file of the run. */
@@ -377,7 +381,7 @@ end
       return t > 0; // what there is at the start is of the equilibrium
     });
     const double seen  = (times.back() - *first) * lines.at("mesh frequency")[0];
-    check("waves of stress are those of the last tooth mesh", seen > .9 && seen < 1. + 1e-9);
+    check("waves of stress are those of the last mesh cycle", seen > .9 && seen < 1. + 1e-9);
     for (const std::size_t k : {0, 1, 2})
       {
         check_close("run over reduced: amplitude at a speed",
@@ -440,23 +444,26 @@ end
       print_refusal([&]() { run_pair("waves.prm", "refused", world, {entry + "=" + value}); });
     };
     refuse("Waves/lowest speed", "12000 rpm");
-    refuse("Waves/diameters", "-1");
-    refuse("Waves/diameters", "2.5");
-    refuse("Waves/diameters", "20");
-    refuse("Waves/offsets", "0, 1 %");
-    refuse("Waves/offsets", "0, 60 %, 1 %");
-    refuse("Waves/offsets", "0, 1 %, 1 %");
+    refuse("Waves/nodal diameters", "-1");
+    refuse("Waves/nodal diameters", "2.5");
+    refuse("Waves/nodal diameters", "20");
+    refuse("Waves/speed offsets", "0, 1 %");
+    refuse("Waves/speed offsets", "0, 60 %, 1 %");
+    refuse("Waves/speed offsets", "0, 1 %, 1 %");
     refuse("Waves/diameter", "3");
     refuse("Fillets/teeth", "in mesh");
     refuse("Fillets/teeth", "named");
-    refuse("Dynamics/damping", "0");
+    refuse("Dynamics/mass proportional damping", "0");
     refuse("Operation/driving member", "gear");
     refuse("Waves/solver", "explicit");
     print_refusal([&]() {
       run_pair("waves.prm", "refused", world, {"Waves/solver=run", "Dynamics/start=ramp"});
     });
     print_refusal([&]() {
-      run_pair("waves.prm", "refused", world, {"Waves/solver=run", "Reduced/settling meshes=2"});
+      run_pair("waves.prm",
+               "refused",
+               world,
+               {"Waves/solver=run", "Reduced/settling mesh cycles=2"});
     });
     print_refusal([&]() { run_pair("waves.prm", "driven", world, {}, true); });
   }
@@ -464,8 +471,8 @@ end
 
 int main(int argc, char **argv)
 {
-  write_file("waves.prm", coarse_pair("set web = conical", coarse_web));
-  write_file("runs.prm", few_teeth("set web = conical", coarse_web));
+  write_file("waves.prm", coarse_pair("set body type = conical web", coarse_web));
+  write_file("runs.prm", few_teeth("set body type = conical web", coarse_web));
   run_parts(argc,
             argv,
             {prediction, choice, in_contact, driven, driven_by_runs, runs_go_on, refusals});

@@ -18,11 +18,11 @@ namespace
 {
   using Curve = std::vector<double>;
 
-  /** Transmission errors [arcsec] at 3 positions of a tooth mesh, which are not multiples of an
+  /** Transmission errors [arcsec] at 3 positions of a mesh cycle, which are not multiples of an
    * eighth but for the first one. */
   Curve analyse(const std::vector<std::string> &entries, Communicator &world)
   {
-    std::vector<std::string> overrides = {"Loaded contact/positions=3", "Output/pictures=no"};
+    std::vector<std::string> overrides = {"Loaded contact/positions=3", "Output/report=no"};
     overrides.insert(overrides.end(), entries.begin(), entries.end());
     run_pair(tree_folder() + "/prm/fem/loaded_spiral_bevel_quick.prm",
              "auto_penalty",
@@ -50,8 +50,8 @@ namespace
                   const std::vector<std::string> &entries,
                   Communicator                   &world)
   {
-    std::vector<std::string> overrides = {"Dynamics/largest number of steps=1",
-                                          "Dynamics/start=static preload"};
+    std::vector<std::string> overrides = {"Dynamics/maximum number of steps=1",
+                                          "Dynamics/start=static equilibrium"};
     overrides.insert(overrides.end(), entries.begin(), entries.end());
     run_pair(tree_folder() + "/" + file, folder, world, overrides);
     return read_columns(folder + "/history.csv")["dte"].front();
@@ -86,7 +86,7 @@ int main(int argc, char **argv)
               grid[0],
               .5);
   // The penalty of quadratic elements changes the mean alone.
-  const Curve  quadratic = analyse({"Fem/element=quadratic", "Fem/geometry=curved"}, world);
+  const Curve  quadratic = analyse({"Fem/element type=quadratic", "Fem/geometry=curved"}, world);
   const double change    = mean_of(quadratic) - mean_of(grid);
   check("quadratic elements are more compliant", change < -2.);
   check_close("start of a run by default less that by its own elements [arcsec]",

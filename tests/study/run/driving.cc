@@ -31,7 +31,9 @@ namespace
   void check_model(const std::string &driving, const std::string &direction, const MeshSide side)
   {
     const std::string name = driving + " drives, " + direction;
-    std::ofstream("driving.prm") << quick_pair("set web = none", "set rim rows = 2", "0.01")
+    std::ofstream("driving.prm") << quick_pair("set body type = rim only",
+                                               "set elements through rim = 2",
+                                               "0.01")
                                  << "subsection Operation\n  set driving member = " << driving
                                  << "\n  set direction of rotation = " << direction << "\nend\n";
     const ParameterFile      file("driving.prm");

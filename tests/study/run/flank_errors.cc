@@ -31,7 +31,7 @@ namespace
     for (unsigned int k = 0; k < 79; ++k)
       table << k << "," << (k >= first && k < end ? 1e3 * F : 0.) << "\n";
     const std::string flank = "      set pitch table = pitch.csv\n    end\n";
-    return quick_pair("set web = none", "set rim rows = 2", "1e-5") +
+    return quick_pair("set body type = rim only", "set elements through rim = 2", "1e-5") +
            "subsection Gear pair\n  subsection Errors\n   subsection Gear\n" +
            "    subsection Concave flank\n" + flank + "    subsection Convex flank\n" + flank +
            "   end\n  end\nend\n";
@@ -43,7 +43,7 @@ namespace
     std::filesystem::remove_all("loaded_errors");
     std::ofstream("loaded_errors.prm")
       << pair_text(20, end) << "subsection Study\n set kind = loaded tooth contact analysis\nend\n"
-      << "subsection Loaded contact\n set positions = 2\n set first tooth mesh = " << mesh
+      << "subsection Loaded contact\n set positions = 2\n set first position = " << mesh
       << "\nend\n";
     run_pair("loaded_errors.prm", "loaded_errors", world);
     return read_columns("loaded_errors/loaded_contact.csv");
@@ -51,7 +51,7 @@ namespace
 
   void loaded_contact(Communicator &world)
   {
-    // teeth 78, 0 and 1 are in mesh, 45 tooth meshes later 44 to 46
+    // teeth 78, 0 and 1 are in mesh, 45 mesh cycles later 44 to 46
     const auto plain = analyse(20, 0, world), before = analyse(71, 0, world),
                after = analyse(71, 45, world);
     for (unsigned int i = 0; i < 2; ++i)

@@ -1,5 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// From a parameter file to results: one tooth mesh of a coarse pair with a conical web.
+// From a parameter file to results: one mesh cycle of a coarse pair with a conical web.
 #include "../../tests.h"
 #include "../quick_pair.h"
 
@@ -28,8 +28,8 @@ namespace
   {
     const auto &time = columns["time"], &pinion = columns["pinion angle"],
                &gear = columns["gear angle"], &dte = columns["dte"];
-    check("samples of one tooth mesh", time.size() == 99);
-    check_close("one tooth mesh at 20,000 rpm [s]", time.back(), 60. / 20000 / 27, 1e-15);
+    check("samples of one mesh cycle", time.size() == 99);
+    check_close("one mesh cycle at 20,000 rpm [s]", time.back(), 60. / 20000 / 27, 1e-15);
     check_close("driver's angle after it [deg]", pinion.back() - pinion.front(), 360. / 27, 1e-9);
     double wrong = 0;
     for (std::size_t i = 0; i < time.size(); ++i)
@@ -104,7 +104,7 @@ namespace
     run_pair("gear_pair.prm",
              "gear_pair_explicit",
              world,
-             {"Contact/integration=explicit", "Dynamics/largest number of steps=1"});
+             {"Contact/integration=explicit", "Dynamics/maximum number of steps=1"});
     check_close("lag of the penalty springs [arcsec]",
                 part("penalty springs, in teeth and rest") /
                   (-2 * read_columns("gear_pair_explicit/history.csv")["contact energy"].front() /
@@ -150,7 +150,9 @@ int main(int argc, char **argv)
   MpiSession session(argc, argv);
   std::filesystem::remove_all("gear_pair_results");
   std::ofstream("gear_pair.prm") << quick_pair(
-    "set web = conical\nset web thickness = 5 mm\nset web angle = 70 deg", coarse_web, "1e-5");
+    "set body type = conical web\nset web thickness = 5 mm\nset web inclination = 70 deg",
+    coarse_web,
+    "1e-5");
   run_pair("gear_pair.prm", "gear_pair_results", session.world());
 
   for (const char *file : {"parameters.prm", "run.log", "history.csv", "teeth.csv", "summary.json"})

@@ -94,11 +94,12 @@ int main(int argc, char **argv)
 {
   MpiSession session(argc, argv);
   std::filesystem::remove_all("ramp_results");
-  std::ofstream("ramp.prm") << quick_pair("set web = none", "set rim rows = 2", "1e-5") +
-                                 "subsection Operation\n  set hub = rigid hub\n"
-                                 "  set ramp = 0.5\nend\n"
-                                 "subsection Dynamics\n  set start = ramp\n"
-                                 "  set damping = 0\n  set mesh damping = 0\nend\n";
+  std::ofstream("ramp.prm")
+    << quick_pair("set body type = rim only", "set elements through rim = 2", "1e-5") +
+         "subsection Operation\n  set bore rotation = rigid\n"
+         "  set ramp = 0.5\nend\n"
+         "subsection Dynamics\n  set start = ramp\n"
+         "  set mass proportional damping = 0\n  set driven speed damping = 0\nend\n";
   run_pair("ramp.prm", "ramp_results", session.world());
 
   auto        columns = read_columns("ramp_results/history.csv");
@@ -132,7 +133,7 @@ int main(int argc, char **argv)
 
   std::filesystem::remove_all("part_results");
   std::ofstream("part.prm") << "include ramp.prm\nsubsection Dynamics\n"
-                               "  set largest number of steps = 100\nend\n";
+                               "  set maximum number of steps = 100\nend\n";
   run_pair("part.prm", "part_results", session.world());
   const auto part = read_summary("part_results");
   check("a part of the run is a finished run",

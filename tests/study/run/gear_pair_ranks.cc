@@ -14,7 +14,7 @@ namespace
 {
   /** Entries of errors that make teeth unequal. */
   constexpr char errors[] = "subsection Gear pair\n subsection Errors\n  subsection Gear\n"
-                            "   set eccentricity = 10 um\n   subsection Convex flank\n"
+                            "   set radial runout amplitude = 10 um\n   subsection Convex flank\n"
                             "    set pitch amplitude = 5 um\n    set pitch order = 3\n"
                             "    set lengthwise crowning = 5 um\n   end\n  end\n end\nend\n";
 
@@ -28,7 +28,7 @@ namespace
         std::filesystem::remove_all("one_rank");
         std::filesystem::remove_all("two_ranks");
         std::ofstream("ranks.prm")
-          << quick_pair("set web = none", "set rim rows = 2", "1e-5")
+          << quick_pair("set body type = rim only", "set elements through rim = 2", "1e-5")
           << "subsection Contact\n set integration = " << integration << "\nend\n"
           << "subsection Fillets\n set teeth = in mesh\nend\n"
           << "subsection Pressure\n set instants = 0, 0.1\n set pressure cells = 6\nend\n"

@@ -19,7 +19,9 @@ int main(int argc, char **argv)
   std::filesystem::remove_all("whole");
   std::filesystem::remove_all("parts");
   // Friction and damping of the contact, so that everything that contact remembers is needed.
-  std::ofstream("gear.prm") << quick_pair("set web = none", "set rim rows = 2", "1e-4")
+  std::ofstream("gear.prm") << quick_pair("set body type = rim only",
+                                          "set elements through rim = 2",
+                                          "1e-4")
                             << "subsection Contact\n  set friction coefficient = 0.1\n"
                                "  set damping ratio = 0.1\nend\n"
                                "subsection Fillets\n  set teeth = all\n  set gauges = G\n"
@@ -27,7 +29,7 @@ int main(int argc, char **argv)
                                "    set length = 0.5 mm\n  end\nend\n"
                                "subsection Pressure\n  set instants = 0, 0.9\n"
                                "  set every = 0.25\n  set pressure cells = 6\nend\n";
-  const std::string steps = "Dynamics/largest number of steps=";
+  const std::string steps = "Dynamics/maximum number of steps=";
   run_pair("gear.prm", "whole", world);
   run_pair("gear.prm", "parts", world, {steps + "333"});
   run_pair("gear.prm", "parts", world, {steps + "700"}, true);

@@ -150,7 +150,7 @@ namespace
   {
     forge_entries("at_once");
     const std::string before = read_text("at_once/checkpoint.bin");
-    go_on("at_once", {"Dynamics/largest number of steps=150"}, world);
+    go_on("at_once", {"Dynamics/maximum number of steps=150"}, world);
     check("written at once", read_text("at_once/checkpoint.bin") != before);
     go_on("at_once", {}, world);
     histories::check_same("at once",
@@ -186,7 +186,7 @@ namespace
     const auto        add  = [&](Origin &origin) { origin.parameters.emplace_back(gone, "7"); };
     forge_entries("gone", add, gone);
     std::cout << go_on("gone", {}, world) << std::endl;
-    std::cout << go_on("gone", {"Dynamics/damping=400"}, world) << std::endl;
+    std::cout << go_on("gone", {"Dynamics/mass proportional damping=400"}, world) << std::endl;
     // A checkpoint that does not say which entries were set: any may have been.
     forge_entries("gone", add);
     forge_checkpoint("gone/checkpoint.bin", "older", [](std::string &state) {

@@ -53,7 +53,7 @@ namespace
     check_balance(name + ": loaded analysis", analysis, 1e-6);
     run_pair(write(of_run,
                    kind("run") + pair +
-                     "subsection Dynamics\nset largest number of steps = 20\nend\n"),
+                     "subsection Dynamics\nset maximum number of steps = 20\nend\n"),
              of_run,
              world);
     const double error = read_columns(analysis + "/loaded_contact.csv").at("transmission error")[0];
@@ -106,7 +106,7 @@ namespace
     std::ofstream(of_run + "/summary.json") << summary;
     run_case(write(name + "_compare",
                    kind("compare") +
-                     "subsection Compare\nset cases = run, loaded\nset pictures = no\n"
+                     "subsection Compare\nset cases = run, loaded\nset report = no\n"
                      "subsection Case run\nset results = " +
                      of_run + "\nend\nsubsection Case loaded\nset results = " + name +
                      "_loaded\nend\nend\n"),
@@ -165,7 +165,7 @@ namespace
 
   /** Where shafts, bodies, bearings and the coupling are rigid, the contact alone gives way: as on
    * ideal bores. What winds up the coupling is no error, but turns the pinion on to another place
-   * of its tooth mesh. */
+   * of its mesh cycle. */
   void stiff_limit(Communicator &world)
   {
     // A million times steel, on penalty springs that stay what they are.
@@ -176,7 +176,7 @@ namespace
                              "set centrifugal = no\nend\n";
     const std::string rigid = "set kind = bearing\nset radial stiffness = 1e12\n"
                               "set axial stiffness = 1e12\nset tilting stiffness = 1e15\n";
-    run_pair(write("ideal_bores", few_teeth("set web = conical", coarse_web) + rest),
+    run_pair(write("ideal_bores", few_teeth("set body type = conical web", coarse_web) + rest),
              "ideal_bores",
              world);
     run_pair(write("stiff_shafts", pair_on_shafts("", {rigid, rigid, rigid, rigid}) + rest),
@@ -203,7 +203,7 @@ namespace
   /** A run that is interrupted in the start's state and in the middle has the same digits. */
   void goes_on(Communicator &world)
   {
-    const std::string steps = "Dynamics/largest number of steps=";
+    const std::string steps = "Dynamics/maximum number of steps=";
     const std::string file =
       write("goes_on", kind("run") + pair_on_shafts() + operation("20000 rpm"));
     std::filesystem::remove_all("whole");
@@ -304,20 +304,21 @@ namespace
     write("refused", kind("linear static") + pair_on_shafts() + operation("60 rpm"));
     refused("Gear pair/Housing/stiffness=askew.mtx", world);
     write("refused",
-          kind("run") + coarse_pair("set web = none", "set rim rows = 2") + operation("20000 rpm"));
+          kind("run") + coarse_pair("set body type = rim only", "set elements through rim = 2") +
+            operation("20000 rpm"));
     refused("Gear pair/Housing/stiffness=short.mtx", world);
     write("refused",
-          kind("run") + coarse_pair("set web = none", "set rim rows = 2") +
+          kind("run") + coarse_pair("set body type = rim only", "set elements through rim = 2") +
             "subsection Gear pair\nsubsection Gear\nsubsection Shaft\n"
             "set bearings = one\nend\nend\nend\n" +
             operation("20000 rpm"));
     refused("Gear pair/Gear/Shaft/Bearing one/radial stiffness=1", world);
     write("refused",
-          kind("run") + coarse_pair("set web = conical\n", coarse_web) +
+          kind("run") + coarse_pair("set body type = conical web\n", coarse_web) +
             "subsection Gear pair\nsubsection Gear\nsubsection Shaft\n"
             "set sections = -10 120 100 60\nend\nend\nend\n" +
             operation("20000 rpm"));
-    refused("Gear pair/Gear/Shaft/axial cell size=20", world);
+    refused("Gear pair/Gear/Shaft/axial element size=20", world);
   }
 } // namespace
 

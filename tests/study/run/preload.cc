@@ -19,10 +19,11 @@ namespace
       {
         std::filesystem::remove_all(folder);
         std::ofstream(folder + ".prm")
-          << few_teeth("set web = conical\nset web thickness = 5 mm\nset web angle = 70 deg",
+          << few_teeth("set body type = conical web\nset web thickness = 5 mm\nset web inclination "
+                       "= 70 deg",
                        coarse_web)
           << "subsection Operation\n  set speed = 20000 rpm\n  set torque = 800 N m\nend\n"
-          << "subsection Dynamics\n  set largest number of steps = 1\n  set start solver = "
+          << "subsection Dynamics\n  set maximum number of steps = 1\n  set start solver = "
           << solver
           << "\n  subsection Relaxation\n    set tolerance = 1e-6\n  end\nend\n"
           // Of the first instant, not of the first step.
@@ -63,7 +64,7 @@ int main(int argc, char **argv)
     run_pair(tree_folder() + "/prm/spiral_bevel_quick.prm",
              "going_round",
              session.world(),
-             {"Operation/speed=" + speed, "Dynamics/largest number of steps=1", quick_penalty});
+             {"Operation/speed=" + speed, "Dynamics/maximum number of steps=1", quick_penalty});
     return read_columns("going_round/history.csv").at("contact torque on the gear").front();
   };
   check_close("going round [N m]", torque_at("9139.51 rpm"), torque_at("9000 rpm"), 1e-2);

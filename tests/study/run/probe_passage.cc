@@ -41,7 +41,7 @@ namespace
     return probe.at(name).at("value").get<double>();
   }
 
-  /** After the start [tooth meshes]. */
+  /** After the start [mesh cycles]. */
   double passage(const std::string &folder, const std::string &probe)
   {
     return number(read_probe(folder, probe), "passes the mesh") * mesh_frequency;
@@ -86,7 +86,7 @@ namespace
     const auto   record = curve_of("passage_run/probes.csv", probe, "time");
     const auto   found  = read_probe("passage_run", probe);
     const double before = passage("passage_run", probe), largest = largest_in(loaded);
-    check("a whole turn of the gear at two positions a tooth mesh", loaded.size() == 2 * 79);
+    check("a whole turn of the gear at two positions a mesh cycle", loaded.size() == 2 * 79);
     check("half of it before the mesh",
           loaded.begin()->first >= -39.5 && loaded.rbegin()->first < 39.5);
 
@@ -121,13 +121,13 @@ namespace
 
   void restart(Communicator &world)
   {
-    run("passage_parts", {"Operation/tooth meshes=3"}, world);
+    run("passage_parts", {"Operation/mesh cycles=3"}, world);
     const std::string before  = "passage_parts_probes.csv";
     const double      shorter = passage("passage_parts", "node A front");
     std::filesystem::copy_file("passage_parts/probes.csv",
                                before,
                                std::filesystem::copy_options::overwrite_existing);
-    run("passage_parts", {"Operation/tooth meshes=6"}, world, true);
+    run("passage_parts", {"Operation/mesh cycles=6"}, world, true);
     check_close("restart: the probe stays where it was",
                 passage("passage_parts", "node A front"),
                 shorter,
@@ -150,7 +150,7 @@ namespace
 
   void ramp(Communicator &world)
   {
-    run("passage_ramp", {"Dynamics/start=ramp", "Dynamics/largest number of steps=1"}, world);
+    run("passage_ramp", {"Dynamics/start=ramp", "Dynamics/maximum number of steps=1"}, world);
     for (const std::string probe : {"node A front", "node A back"})
       {
         // The tooth nearest to 75 % of six meshes; the node lies within a pitch of it.
@@ -171,7 +171,7 @@ namespace
   /** The same sectors on one rank and on two. */
   void ranks(Communicator &world)
   {
-    const std::vector<std::string> short_run = {"Dynamics/largest number of steps=1"};
+    const std::vector<std::string> short_run = {"Dynamics/maximum number of steps=1"};
     if (world.is_root())
       {
         Communicator alone(MPI_COMM_SELF);
@@ -196,9 +196,10 @@ int main(int argc, char **argv)
   Communicator &world = session.world();
   if (world.is_root())
     {
-      std::string all = quick_pair("set web = conical\nset web angle = 70 deg", coarse_web, "1e-5");
-      const std::string one = "set tooth meshes = 1";
-      all.replace(all.find(one), one.size(), "set tooth meshes = 6");
+      std::string all =
+        quick_pair("set body type = conical web\nset web inclination = 70 deg", coarse_web, "1e-5");
+      const std::string one = "set mesh cycles = 1";
+      all.replace(all.find(one), one.size(), "set mesh cycles = 6");
       std::ofstream("passage.prm") << all;
     }
   world.barrier();
@@ -211,7 +212,7 @@ int main(int argc, char **argv)
       {"Study/kind=loaded tooth contact analysis", "Loaded contact/positions=2"},
       world);
   run("passage_run", {}, world);
-  run("passage_start", {"Dynamics/largest number of steps=1"}, world);
+  run("passage_start", {"Dynamics/maximum number of steps=1"}, world);
   for (const std::string probe : {"node A front", "node A back"})
     check_passage(probe);
   restart(world);

@@ -22,11 +22,11 @@ namespace
     std::ofstream file("bars.prm");
     file << "include " << tree_folder() << "/prm/verification/two_bars.prm\n"
          << "subsection Model\n"
-            "  subsection Body flying\n    set cells x = 40\n  end\n"
-            "  subsection Body resting\n    set cells x = 40\n  end\nend\n"
-            "subsection Dynamics\n  set damping = 500\nend\n"
-            "subsection Output\n  set history every = 3\n  set fields every = 20\n"
-            "  set pictures = no\n  set checkpoint every = 1 ms\n  set verbosity = quiet\nend\n";
+            "  subsection Body flying\n    set elements x = 40\n  end\n"
+            "  subsection Body resting\n    set elements x = 40\n  end\nend\n"
+            "subsection Dynamics\n  set mass proportional damping = 500\nend\n"
+            "subsection Output\n  set steps per sample = 3\n  set field output interval = 20\n"
+            "  set report = no\n  set checkpoint interval = 1 ms\n  set verbosity = quiet\nend\n";
   }
 
   std::vector<std::string> command(const std::string              &folder,
@@ -83,7 +83,7 @@ namespace
   void resume_after_the_end()
   {
     // The end of a short run is a stop at a step that is known.
-    const std::string steps = "Dynamics/largest number of steps=";
+    const std::string steps = "Dynamics/maximum number of steps=";
     check("short run", run_program(command("parts", {"--set", steps + "57"})).exit_code == 0);
     check("longer",
           run_program(command("parts", {"--restart", "--set", steps + "131"})).exit_code == 0);
@@ -139,7 +139,7 @@ namespace
   /** Half of the run on one rank, the rest on two. */
   void resume_with_more_ranks()
   {
-    run_program(command("ranks", {"--set", "Dynamics/largest number of steps=100"}));
+    run_program(command("ranks", {"--set", "Dynamics/maximum number of steps=100"}));
     std::vector<std::string> words = command("ranks", {"--restart"});
     words.insert(words.begin(), {"mpirun", "-np", "2"});
     check("two ranks go on", run_program(words).exit_code == 0);
@@ -155,9 +155,11 @@ namespace
 
   void refuse_others()
   {
-    show("changed", run_program(command("parts", {"--restart", "--set", "Dynamics/damping=400"})));
+    show("changed",
+         run_program(
+           command("parts", {"--restart", "--set", "Dynamics/mass proportional damping=400"})));
     show("other mesh",
-         run_program(command("parts", {"--restart", "--set", "Model/Body flying/cells x=20"})));
+         run_program(command("parts", {"--restart", "--set", "Model/Body flying/elements x=20"})));
     show("nothing there", run_program(command("empty", {"--restart"})));
 
     // Half of the last one is lost: the one before gives the same digits.
@@ -187,7 +189,7 @@ namespace
    * with the model. */
   void refuse_forged()
   {
-    const std::string steps = "Dynamics/largest number of steps=";
+    const std::string steps = "Dynamics/maximum number of steps=";
     run_program(command("parts", {"--set", steps + "57"}));
     const std::string from = "parts/checkpoint.bin";
     forge(from, [](std::string &) {});

@@ -133,9 +133,10 @@ namespace
 int main(int argc, char **argv)
 {
   MpiSession    session(argc, argv);
-  Communicator &world    = session.world();
-  verbose                = argc > 1;
-  const std::string pair = quick_pair("set web = none", "set rim rows = 2", "1e-6");
+  Communicator &world = session.world();
+  verbose             = argc > 1;
+  const std::string pair =
+    quick_pair("set body type = rim only", "set elements through rim = 2", "1e-6");
 
   // Instants at samples, one of them given as a time.
   const std::string instants =

@@ -55,13 +55,13 @@ namespace
     check_below("column speed", speed, 1e-13);
     check_below("column mesh frequency", mesh, 1e-13);
     check_below("samples are equally spaced", interval, 1e-9);
-    // 30 samples in a tooth mesh at 20,400 rpm; the end is the first sample after 3 meshes.
+    // 30 samples in a mesh cycle at 20,400 rpm; the end is the first sample after 3 meshes.
     const double fastest = 20400. * 27 / 60, meshes = turn_at(time.back()) * 27 / 360;
-    check_close("samples in a tooth mesh at the largest speed",
+    check_close("samples in a mesh cycle at the largest speed",
                 1 / (fastest * (time[1] - time[0])),
                 30,
                 1e-9);
-    check("the end: 3 tooth meshes and less than a sample more",
+    check("the end: 3 mesh cycles and less than a sample more",
           meshes >= 3 && meshes < 3 + 1. / 25);
   }
 
@@ -97,12 +97,15 @@ namespace
     std::vector<std::string> entries = {"Operation/end time=1 ms",
                                         "Output/order window=2",
                                         quick_penalty,
-                                        "Output/pictures=no",
+                                        "Output/report=no",
                                         "Output/verbosity=quiet"};
     for (const std::string member : {"Pinion", "Gear"})
-      for (const char *cells : {"cells lengthwise=2", "flank rows=2"})
+      for (const char *cells : {"elements along face width=2", "elements along profile=2"})
         entries.push_back("Gear pair/" + member + "/Mesh/" + cells);
-    for (const char *cells : {"web layers=1", "web rows=3", "hub rows=1", "hub side cells=1"})
+    for (const char *cells : {"elements through web=1",
+                              "elements along web=3",
+                              "elements through hub=1",
+                              "elements beside web=1"})
       entries.push_back(std::string("Gear pair/Gear/Mesh/") + cells);
     run_pair(tree_folder() + "/prm/waves/run_up.prm", "shipped", world, entries);
     const auto orders  = read_columns("shipped/orders.csv"),
@@ -134,9 +137,9 @@ namespace
     refuse({"Study/kind=loaded tooth contact analysis", torque + "800 + 1e5*t"});
     // Its samples follow from the end that it was begun for.
     const std::string formula = speed + "20000 + 1e6*t";
-    run_pair("run_up.prm", "formula", world, {formula, "Dynamics/largest number of steps=20"});
+    run_pair("run_up.prm", "formula", world, {formula, "Dynamics/maximum number of steps=20"});
     print_refusal([&] {
-      run_pair("run_up.prm", "formula", world, {formula, "Operation/tooth meshes=4"}, true);
+      run_pair("run_up.prm", "formula", world, {formula, "Operation/mesh cycles=4"}, true);
     });
   }
 } // namespace
@@ -148,12 +151,14 @@ int main(int argc, char **argv)
   for (const char *folder : {"whole", "parts", "longer", "shipped", "refused", "formula"})
     std::filesystem::remove_all(folder);
   std::ofstream("run_up.csv") << table;
-  std::ofstream("run_up.prm") << quick_pair("set web = none", "set rim rows = 2", "1e-4");
+  std::ofstream("run_up.prm") << quick_pair("set body type = rim only",
+                                            "set elements through rim = 2",
+                                            "1e-4");
   const std::vector<std::string> entries = {"Operation/speed=run_up.csv",
                                             "Operation/torque=800 + 2e5*t",
-                                            "Operation/tooth meshes=3",
-                                            "Output/history every=30",
-                                            "Output/tracked orders=2",
+                                            "Operation/mesh cycles=3",
+                                            "Output/samples per mesh cycle=30",
+                                            "Output/tracked mesh harmonics=2",
                                             "Output/order window=2"};
   const auto                     with    = [&entries](const std::string &more) {
     std::vector<std::string> all = entries;
@@ -163,10 +168,10 @@ int main(int argc, char **argv)
   run_pair("run_up.prm", "whole", world, entries);
   check_history(read_columns("whole/history.csv"));
   check_orders();
-  run_pair("run_up.prm", "parts", world, with("Dynamics/largest number of steps=300"));
+  run_pair("run_up.prm", "parts", world, with("Dynamics/maximum number of steps=300"));
   run_pair("run_up.prm", "parts", world, entries, true);
   check_same("in two parts", "parts");
-  run_pair("run_up.prm", "longer", world, with("Operation/tooth meshes=2"));
+  run_pair("run_up.prm", "longer", world, with("Operation/mesh cycles=2"));
   run_pair("run_up.prm", "longer", world, entries, true);
   check("made longer, history.csv: same digits",
         read_text("whole/history.csv") == read_text("longer/history.csv"));

@@ -1,5 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// A pair on shafts in a run: its step is that of the teeth, and turned slowly through a tooth mesh
+// A pair on shafts in a run: its step is that of the teeth, and turned slowly through a mesh cycle
 // it is on average where the loaded tooth contact analysis has it.
 #include "../../parts.h"
 #include "../../tests.h"
@@ -49,8 +49,8 @@ namespace
   void step(Communicator &world)
   {
     const std::string rest = operation("20000 rpm") + kind("run");
-    // A tooth mesh has a whole number of samples: of single steps.
-    std::vector<std::string> entries = {"Output/history every=1"};
+    // A mesh cycle has a whole number of samples: of single steps.
+    std::vector<std::string> entries = {"Output/samples per mesh cycle=1"};
     const Steps bores  = find_steps(write("bores", many_teeth() + rest), entries, world),
                 shafts = find_steps(write("shafts", on_shafts() + rest), entries, world);
     entries.emplace_back("Gear pair/Pinion/Shaft/End/torsional damping=0");
@@ -60,7 +60,7 @@ namespace
                 shafts.stable / bores.stable,
                 1.,
                 1e-3);
-    // To the rounding to whole steps in a tooth mesh.
+    // To the rounding to whole steps per mesh cycle.
     check_close("step on shafts and springs over ideal bores",
                 bores.in_mesh / undamped.in_mesh,
                 1.,

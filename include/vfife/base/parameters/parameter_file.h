@@ -86,6 +86,11 @@ namespace vfife
     {
       return path_;
     }
+    /** Statements with names of the previous version: "file.prm:12: X is now Y". */
+    const std::vector<std::string> &former_names() const
+    {
+      return former_names_;
+    }
     /** The settings of the command line as given. */
     const std::vector<std::string> &overrides() const
     {
@@ -109,6 +114,7 @@ namespace vfife
     std::string                     path_;
     std::vector<std::string>        overrides_;
     std::vector<ParameterStatement> statements_;
+    std::vector<std::string>        former_names_;
   };
 
   /**

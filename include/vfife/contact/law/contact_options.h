@@ -56,8 +56,6 @@ namespace vfife
     double damping_ratio = 0.; ///< of the critical gap-rate damping of a surface node [-]
 
     FrictionOptions friction;
-    /** Of an earlier law of friction; read and not used [mm/s]. */
-    double regularization_velocity = 0.;
 
     double edge_fading = 0.15; ///< part of a master border facet over which the pressure fades [-]
     double edge_relief_width = 0.; ///< of both flanks along free edges [mm]; 0: no relief

@@ -50,7 +50,8 @@ namespace vfife
      * set_step(). */
     double stable_step();
 
-    /** Stable step of the elements by Dynamics/step bound, without safety and contact [s]. */
+    /** Stable step of the elements by Dynamics/time step estimate, without safety and contact [s].
+     */
     double element_step() const;
 
     /** The step of the run [s], at most stable_step(). Sets the stiffness of points that stick. */

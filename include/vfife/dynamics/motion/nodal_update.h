@@ -16,7 +16,7 @@ namespace vfife
     double        zeta = 0; ///< [1/s]
     RigidVelocity rigid;    ///< the motion that is not damped
     RigidVelocity
-      mesh; ///< zeta_k (u_body - u_kinematic): zero where there is no mesh damping [mm/s^2]
+      mesh; ///< zeta_k (u_body - u_kinematic): zero where there is no driven speed damping [mm/s^2]
   };
 
   /**

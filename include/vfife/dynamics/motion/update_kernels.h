@@ -17,7 +17,7 @@ namespace vfife
     double dt            = 0.; ///< [s]
     double velocity[3]   = {}; ///< of the rigid motion at the origin [mm/s]
     double omega[3]      = {}; ///< of the rigid motion [rad/s]
-    double slip[3]       = {}; ///< mesh damping at the origin [mm/s^2]
+    double slip[3]       = {}; ///< driven speed damping at the origin [mm/s^2]
     double slip_omega[3] = {}; ///< [rad/s^2]
     double direction[3]  = {}; ///< of the axis
     double lever[3]      = {}; ///< of the axis at the origin: minus direction x point [mm]

@@ -18,7 +18,8 @@ namespace vfife
   struct Model;
 
   /** What acts on all bodies in one step, over all ranks [mJ/s]: work done on them, and losses. Of
-   * what the mesh damping takes `swing` comes from the motion relative to the kinematic rotation.
+   * what the driven speed damping takes `swing` comes from the motion relative to the kinematic
+   * rotation.
    */
   struct StepPowers
   {

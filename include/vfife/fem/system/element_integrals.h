@@ -39,7 +39,7 @@ namespace vfife
     lumped
   };
 
-  /** "incompatible modes", "full", "quadratic", "cubic". */
+  /** "incompatible modes", "full integration", "quadratic", "cubic". */
   const Choices<FemElement> &fem_element_choices();
   /** "consistent", "lumped". */
   const Choices<MassKind> &mass_choices();

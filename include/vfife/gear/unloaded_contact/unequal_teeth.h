@@ -29,7 +29,7 @@ namespace vfife
      * a row are fast. */
     Position at(double pitches);
 
-    /** Tooth meshes after which the same teeth meet again: least common multiple of the numbers of
+    /** Mesh cycles after which the same teeth meet again: least common multiple of the numbers of
      * teeth. */
     static unsigned int hunting_cycle(const GearPair &pair);
 
@@ -42,7 +42,7 @@ namespace vfife
   };
 
   /**
-   * Transmission error of the driven member, at its own axis, over @p meshes tooth meshes from the
+   * Transmission error of the driven member, at its own axis, over @p meshes mesh cycles from the
    * mean contact on, in the direction of rotation, with the teeth that touch:
    * transmission_meshes.csv.
    */

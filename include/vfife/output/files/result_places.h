@@ -65,7 +65,7 @@ namespace vfife
     constexpr char least_arm[]       = "least arm on the path of contact";
     constexpr char largest_arm[]     = "largest arm on the path of contact";
     /** That the ripple needs to be steady. */
-    constexpr char steady_meshes[] = "tooth meshes that a steady ripple needs";
+    constexpr char steady_meshes[] = "mesh cycles that a steady ripple needs";
     constexpr char force_on_arm[]  = "torque over effective arm"; ///< of the contact
 
     /** Of a reduced pair: the strongest mesh order above half the cut-off, and its peak to peak
@@ -84,7 +84,7 @@ namespace vfife
     // Of a sweep over speeds.
     constexpr char lowest_speed[]   = "lowest speed";
     constexpr char highest_speed[]  = "highest speed";
-    constexpr char counted_meshes[] = "tooth meshes counted at each speed";
+    constexpr char counted_meshes[] = "mesh cycles counted at each speed";
 
     /** Behind the name of a part of a gear body. */
     constexpr char stress_of_part[] = ", largest von Mises stress";

@@ -15,7 +15,7 @@ namespace vfife
 
   /**
    * The contact pattern of a gear pair: the largest pressure (contact force of a node over its
-   * area) that every place of a flank has carried on whichever tooth. Over one tooth mesh the teeth
+   * area) that every place of a flank has carried on whichever tooth. Over one mesh cycle the teeth
    * in contact pass through all mesh positions.
    */
   class ContactPattern

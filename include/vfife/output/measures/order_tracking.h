@@ -68,7 +68,7 @@ namespace vfife
    * window, mesh order, amplitudes of transmission errors [arcsec] and contact force [N]. */
   Table make_order_table();
 
-  /** Mesh orders of the run of a gear pair from its history, in windows of @p length tooth meshes:
+  /** Mesh orders of the run of a gear pair from its history, in windows of @p length mesh cycles:
    * a row a window and order; no rows where the run is shorter than one. */
   Table track_mesh_orders(const Table        &history,
                           const Transmission &pair,

@@ -18,7 +18,7 @@ namespace vfife
 
     // Of the whole turn, from the probe's copies in all sectors at the end of the run.
     double largest = 0, median = 0;
-    double largest_after_mesh = 0; ///< where that is [tooth meshes after the mean contact]
+    double largest_after_mesh = 0; ///< where that is [mesh cycles after the mean contact]
 
     bool has_peak   = false; ///< the probe has passed the place of the largest stress
     bool has_median = false; ///< the record goes down to the median, ProbeRecord::level
@@ -36,9 +36,9 @@ namespace vfife
    * @param times       of the record [s], from the start of the run on
    * @param stresses    of the record
    * @param end         of the run [s]
-   * @param turn        stress of copy m then, where the probe will be m tooth meshes later; one a
+   * @param turn        stress of copy m then, where the probe will be m mesh cycles later; one a
    *                    tooth
-   * @param meshes      tooth meshes from the start of the run to a time [s]
+   * @param meshes      mesh cycles from the start of the run to a time [s]
    * @param passes_mesh ProbeRecord::passes_mesh [s]
    */
   ProbeRecord make_probe_record(const std::string                   &name,

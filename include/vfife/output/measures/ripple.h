@@ -16,7 +16,7 @@ namespace vfife
     double      peak_to_peak_before = 0; ///< of the first half, in the column's unit
     double      peak_to_peak_after  = 0; ///< of the second half
     /** The larger of the change of the peak to peak value and of the changes of the first three
-     * harmonics of the tooth mesh, peak to peak too, over the larger peak to peak value [-];
+     * harmonics of the gear mesh, peak to peak too, over the larger peak to peak value [-];
      * infinite where a sample is no number. */
     double change = 0;
   };
@@ -35,13 +35,13 @@ namespace vfife
   /**
    * Compares the halves of a part of a history, of whole mesh cycles each (of an odd number the
    * first one is in neither): the ripple is steady where peak to peak values and harmonics of the
-   * tooth mesh differ by less than @p tolerance in all columns of @p names. A figure of a ripple
+   * mesh cycle differ by less than @p tolerance in all columns of @p names. A figure of a ripple
    * that is not steady is one of its record: half of it would have given another one. A ripple
    * below a ten-thousandth of the mean counts as none.
    *
    * @param history          rows at equal time steps
    * @param names            columns of numbers that the history has
-   * @param samples_per_mesh rows in one tooth mesh, > 1, counted from the first row
+   * @param samples_per_mesh rows in one mesh cycle, > 1, counted from the first row
    * @param first_cycle, end_cycle whole mesh cycles [first, end) of the part
    */
   Ripple compare_halves(const Table                    &history,

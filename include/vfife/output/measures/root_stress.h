@@ -67,7 +67,7 @@ namespace vfife
   {
     std::string  body, fillet;
     unsigned int tooth      = 0;
-    double       after_mesh = 0; ///< tooth meshes since the tooth stood where tooth 0 begins
+    double       after_mesh = 0; ///< mesh cycles since the tooth stood where tooth 0 begins
     RootExtreme  tension, compression;
   };
 
@@ -79,7 +79,7 @@ namespace vfife
     double      range = 0; ///< largest tension less largest compression of one facet
   };
 
-  /** One gauge, or its copy on another tooth, which it will be after so many tooth meshes. */
+  /** One gauge, or its copy on another tooth, which it will be after so many mesh cycles. */
   struct GaugeSample
   {
     std::string gauge;
@@ -115,7 +115,7 @@ namespace vfife
       return gauges_;
     }
 
-    /** Stresses of the recorded teeth, @p meshes tooth meshes after time zero; they count for the
+    /** Stresses of the recorded teeth, @p meshes mesh cycles after time zero; they count for the
      * envelope. */
     std::vector<RootStressSample>
     measure(double meshes, const std::vector<ToothContact> &teeth, const FilletStrains &strains);
@@ -150,7 +150,7 @@ namespace vfife
       }
     };
 
-    /** Where a tooth was when the facet had these [tooth meshes after the mesh]. */
+    /** Where a tooth was when the facet had these [mesh cycles after the mesh]. */
     struct Passage
     {
       double tension = std::nan(""), compression = std::nan("");

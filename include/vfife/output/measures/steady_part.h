@@ -81,8 +81,8 @@ namespace vfife
    * @p samples_per_mesh is not a whole number.
    *
    * @param history             rows at equal time steps; column "time" [s]
-   * @param samples_per_mesh    rows in one tooth mesh, > 1
-   * @param swing_period_meshes period of the slowest swing [tooth meshes]; rounded up to whole
+   * @param samples_per_mesh    rows in one mesh cycle, > 1
+   * @param swing_period_meshes period of the slowest swing [mesh cycles]; rounded up to whole
    * meshes, at least 1
    * @param ramp_end            end of the load's ramp [s]
    * Throws InputError for an empty history or a sample count that makes no sense.

@@ -12,7 +12,7 @@ namespace vfife
 {
   class OutputFolder;
 
-  /** pattern.csv: the contact pattern of a gear pair over the last tooth mesh of the run, a row a
+  /** pattern.csv: the contact pattern of a gear pair over the last mesh cycle of the run, a row a
    * place of a flank. */
   class PatternWriter : public Observer
   {

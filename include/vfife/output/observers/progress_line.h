@@ -14,7 +14,7 @@ namespace vfife
   class Log;
 
   /**
-   * Says on rank 0 how far a run is: percent, tooth meshes, step, energy error, transmission error,
+   * Says on rank 0 how far a run is: percent, mesh cycles, step, energy error, transmission error,
    * time left. On a terminal one line that is overwritten at most once a second; otherwise a line
    * of the log every 5 %, at most one a second and at least one a minute.
    */

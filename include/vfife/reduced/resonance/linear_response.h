@@ -15,7 +15,7 @@ namespace vfife
 
   /**
    * Steady vibration of the driven body by linear theory (doc/theory/waves.md): static curves of a
-   * slow tooth mesh at constant torque, and what the contact, a linear spring between the flanks,
+   * slow mesh cycle at constant torque, and what the contact, a linear spring between the flanks,
    * makes of it since turn and modes do not follow at the mesh frequency as they do at rest.
    */
   class LinearResponse

@@ -12,9 +12,9 @@ namespace vfife
   struct Model;
 
   /**
-   * One tooth mesh of a pair under its torque, so slowly that nothing vibrates: the static curves
+   * One mesh cycle of a pair under its torque, so slowly that nothing vibrates: the static curves
    * of what the contact does to the modes of the driven body and of that body's turn, by harmonics
-   * of the tooth mesh. Quantities X of the turning body with h nodal diameters are X(t) = sum over
+   * of the mesh cycle. Quantities X of the turning body with h nodal diameters are X(t) = sum over
    * p of X_p exp(i (h + p z) phi), phi what the body has turned about the axis of its sectors; h =
    * 0 for what belongs to the body as a whole.
    */

@@ -61,11 +61,11 @@ namespace vfife
     /** Time at which a run ends [s]. */
     virtual double end_time() const = 0;
 
-    /** Tooth meshes, growing, after each of which a run is looked at and goes on where its ripple
+    /** Mesh cycles, growing, after each of which a run is looked at and goes on where its ripple
      * is not steady; none where its length is given. */
     virtual std::vector<unsigned int> list_lengths(const DynamicsOptions &dynamics) const;
 
-    /** Makes it a run of so many tooth meshes. */
+    /** Makes it a run of so many mesh cycles. */
     virtual void set_length(unsigned int meshes);
 
     /** Whether a run that goes on may end later than it was begun for: its samples do not depend
@@ -75,7 +75,7 @@ namespace vfife
     /** Time over which the load torque grows where a run starts with a ramp [s]. */
     virtual double ramp_time() const;
 
-    /** The step of a run [s], at most @p stable_step; @p samples of a history lie in a tooth mesh
+    /** The step of a run [s], at most @p stable_step; @p samples of a history lie in a mesh cycle
      * where there is one. */
     virtual double choose_step(double stable_step, unsigned int samples) const = 0;
 

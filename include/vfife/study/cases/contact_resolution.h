@@ -49,8 +49,6 @@ namespace vfife
   /** Area of a surface's undeformed facets [mm^2]. */
   double compute_area(const FacetSurface &surface);
 
-  /** Warns of entries of the contact that are read and not used, once. */
-  void warn_of_unused_entries(const Model &model, Log &log);
 } // namespace vfife
 
 #endif

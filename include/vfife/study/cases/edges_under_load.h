@@ -37,7 +37,7 @@ namespace vfife
      * @param teeth    columns "side", "pinion tooth", "force" [N] and @p place
      * @param place    column that is in proportion to the driver's rotation, 0 where tooth pair 0
      *                 is at its mean contact
-     * @param per_mesh what it is in a tooth mesh
+     * @param per_mesh what it is in a mesh cycle
      */
     void observe(const Table &teeth, const std::string &place, double per_mesh);
 

@@ -89,7 +89,7 @@ namespace vfife
     /** What is wrong with Hertz's pressure under the torque; empty where it is allowed. */
     std::string find_excess_of_pressure() const;
 
-    /** Tooth meshes of a run. */
+    /** Mesh cycles of a run. */
     double run_meshes() const;
 
     /** Whether the gear's rim is carried by an elastic web. */
@@ -98,7 +98,7 @@ namespace vfife
     /** The flanks that carry the load. */
     MeshSide working_side() const;
 
-    /** Gear tooth (sector) at the pitch point after @p meshes tooth meshes. */
+    /** Gear tooth (sector) at the pitch point after @p meshes mesh cycles. */
     unsigned int gear_tooth_in_mesh(unsigned int meshes) const;
 
   private:

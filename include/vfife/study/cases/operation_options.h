@@ -32,11 +32,11 @@ namespace vfife
     /** Over the values at time zero. */
     ParameterHistory speed_history, torque_history, pinion_torque_history;
 
-    /** Tooth meshes to run, or until the ripple is steady, and the most of these. */
+    /** Mesh cycles to run, or until the ripple is steady, and the most of these. */
     NumberOrWord meshes      = {40, false};
     unsigned int most_meshes = 400;
     double       end_time    = 0;  ///< of the run instead [s]; 0: meshes decide
-    double       ramp        = 12; ///< of the torque, with Dynamics/start = ramp [tooth meshes]
+    double       ramp        = 12; ///< of the torque, with Dynamics/start = ramp [mesh cycles]
     HubKind      hub         = HubKind::rigid_hub;
 
     /** Endurance limit for contact stress of case-hardened steel, quality MQ (ISO 6336-5); 0: none
@@ -60,7 +60,7 @@ namespace vfife
      * know. */
     void require_constant(const std::string &section, const std::string &study) const;
 
-    /** Tooth meshes per second at time zero [Hz]. */
+    /** Mesh cycles per second at time zero [Hz]. */
     double mesh_frequency(unsigned int pinion_teeth) const
     {
       return speed * pinion_teeth / (2 * pi);

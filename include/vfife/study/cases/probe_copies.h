@@ -10,7 +10,7 @@ namespace vfife
 {
   /**
    * The nodes of a gear body at which @p probe lies in its own sector and in all others, one a
-   * tooth: after m tooth meshes the probe is where copy m is now (copy 0 is the probe itself).
+   * tooth: after m mesh cycles the probe is where copy m is now (copy 0 is the probe itself).
    * Where the deformation stands still in space the copies' stresses of one instant are the probe's
    * whole passage.
    *
@@ -20,7 +20,7 @@ namespace vfife
   std::vector<Probe> list_copies(const Model &model, const Probe &probe);
 
   /**
-   * Tooth meshes from time zero until the undeformed node of @p probe passes the meridian plane of
+   * Mesh cycles from time zero until the undeformed node of @p probe passes the meridian plane of
    * the mean contact, in [0, teeth of the body). Throws InputError where the model is no gear pair.
    */
   double meshes_to_contact(const Model &model, const Probe &probe);

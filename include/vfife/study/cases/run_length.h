@@ -19,14 +19,14 @@ namespace vfife
    * a gear pair the first sample that is not before it. @p pair may be nullptr. */
   double find_end(const Transmission *pair, double time, double sample);
 
-  /** Whole tooth meshes up to a time. */
+  /** Whole mesh cycles up to a time. */
   unsigned int count_meshes(const Transmission &pair, double time);
 
   /**
-   * Tooth meshes that a run needs before its ripple can be steady; 0 where vibrations do not fall.
+   * Mesh cycles that a run needs before its ripple can be steady; 0 where vibrations do not fall.
    * Elastic vibrations fall as exp(-zeta t/2), the swing as exp(-zeta_k t/2): the slower of both to
    * a tenth, within which the ripple is judged (Ripple). The steady part is at least the second
-   * half of the record, and two swing periods, @p swing_period tooth meshes each.
+   * half of the record, and two swing periods, @p swing_period mesh cycles each.
    */
   unsigned int
   count_steady_meshes(double mesh_frequency, double swing_period, const DynamicsOptions &dynamics);

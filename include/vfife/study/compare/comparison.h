@@ -56,7 +56,7 @@ namespace vfife
     double stress       = 0.03;  ///< at rest, at probes
     // Of a run against the reduced pair:
     double reduced_error  = 0.001; ///< of the mean transmission error
-    double reduced_ripple = 0.03;  ///< of curves over the tooth mesh, of their peak to peak
+    double reduced_ripple = 0.03;  ///< of curves over the mesh cycle, of their peak to peak
     double reduced_order  = 0.05;  ///< of amplitudes of mesh orders
     /** Pinion speed up to which a run follows the static pair [rad/s]. */
     double slow = 1000 * pi / 30;

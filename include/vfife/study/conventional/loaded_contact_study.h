@@ -12,8 +12,8 @@ namespace vfife
   /** Section Loaded contact. */
   struct LoadedContactOptions
   {
-    unsigned int positions     = 8; ///< over one tooth mesh
-    unsigned int first_mesh    = 0; ///< tooth meshes from the reference position to the first one
+    unsigned int positions     = 8;    ///< over one mesh cycle
+    unsigned int first_mesh    = 0;    ///< mesh cycles from the reference position to the first one
     bool         centrifugal   = true; ///< both bodies spin
     unsigned int coupled_modes = 0;    ///< of the pair in contact at the first position
     /** Across a contact, of its own grid; 0: none. The word: where the grid gives the penalty. */
@@ -25,7 +25,7 @@ namespace vfife
 
   /**
    * Study kind `loaded tooth contact analysis`: static equilibrium of the loaded pair by
-   * conventional finite elements at positions over one tooth mesh, with the penalties of a run of
+   * conventional finite elements at positions over one mesh cycle, with the penalties of a run of
    * the same file.
    */
   std::unique_ptr<StudyKind> make_loaded_contact_study();

@@ -19,10 +19,10 @@ namespace vfife
   class LoadedFields
   {
   public:
-    /** At the first position, then @p every so many tooth meshes; 0: none. */
+    /** At the first position, then @p every so many mesh cycles; 0: none. */
     LoadedFields(const OutputFolder &folder, const Model &model, double every);
 
-    /** After solve() of the equilibrium. @p position in tooth meshes stands for the time; @p
+    /** After solve() of the equilibrium. @p position in mesh cycles stands for the time; @p
      * stresses by node of the model, axes of time zero. Collective. */
     void add_position(double                       position,
                       const FemSpace              &space,
@@ -33,7 +33,7 @@ namespace vfife
   private:
     const Model &model_;
     FieldWriter  writer_;
-    double       every_, next_; ///< [tooth meshes]
+    double       every_, next_; ///< [mesh cycles]
     State        state_;
   };
 } // namespace vfife

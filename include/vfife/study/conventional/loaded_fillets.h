@@ -22,7 +22,7 @@ namespace vfife
     /** As RootStress. */
     LoadedFillets(const Model &model, const FilletOptions &options);
 
-    /** At a position [tooth meshes]; all of one space. */
+    /** At a position [mesh cycles]; all of one space. */
     void add_position(const FemSpace &space, double position, const PairEquilibriumResult &result);
 
     /** Says the largest stresses and writes what there is. */

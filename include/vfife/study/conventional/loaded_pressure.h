@@ -23,7 +23,7 @@ namespace vfife
                    double              depth,
                    unsigned int        cells_across);
 
-    /** At the last position of @p equilibrium [tooth meshes]; @p error: its transmission error
+    /** At the last position of @p equilibrium [mesh cycles]; @p error: its transmission error
      * [rad]. Returns what the grid changes of it [rad]. */
     double add_position(double                       position,
                         double                       error,

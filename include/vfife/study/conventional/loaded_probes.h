@@ -11,8 +11,8 @@
 namespace vfife
 {
   /**
-   * Stresses of the probes of a turning gear pair from static positions over one tooth mesh. After
-   * m tooth meshes a probe is where its copy m sectors farther on was at the start, so the copies'
+   * Stresses of the probes of a turning gear pair from static positions over one mesh cycle. After
+   * m mesh cycles a probe is where its copy m sectors farther on was at the start, so the copies'
    * stresses at the position p are the probe's at the time m + p: its whole passage through a turn.
    */
   class LoadedProbes
@@ -21,10 +21,10 @@ namespace vfife
     /** Throws InputError as list_copies(). */
     explicit LoadedProbes(const Model &model);
 
-    /** Stresses of the model's nodes (fixed frame at time zero) at a position [tooth meshes]. */
+    /** Stresses of the model's nodes (fixed frame at time zero) at a position [mesh cycles]. */
     void add_position(double position, const std::vector<Stress> &stresses);
 
-    /** A row a probe and place [tooth meshes after it has passed the mean contact], of a whole
+    /** A row a probe and place [mesh cycles after it has passed the mean contact], of a whole
      * turn: von Mises, stresses in r, theta, z of the body. */
     const Table &table() const
     {
@@ -37,7 +37,7 @@ namespace vfife
   private:
     const Model                    &model_;
     std::vector<ProbeQuantity>      stresses_;
-    std::vector<std::vector<Probe>> copies_; ///< by probe and tooth mesh
+    std::vector<std::vector<Probe>> copies_; ///< by probe and mesh cycle
     Table                           table_;
   };
 } // namespace vfife

@@ -20,7 +20,7 @@ namespace vfife
     /** The model must have a transmission and outlive this. */
     explicit LoadedSupports(const Model &model);
 
-    /** @p position in tooth meshes. */
+    /** @p position in mesh cycles. */
     void add_position(const FemSpace &space, double position, const PairEquilibriumResult &result);
 
     /** Rows of misalignment.csv; none where nothing changes the mounting. */

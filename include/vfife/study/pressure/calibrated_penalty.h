@@ -31,7 +31,7 @@ namespace vfife
   /**
    * Gives the points of the loaded contact of a gear pair the penalties with which its teeth
    * approach each other as on the contact's own grid (PenaltyCalibration) at positions over one
-   * tooth mesh, and the other contact their mean. @p compliance: of the @p model. With a
+   * mesh cycle, and the other contact their mean. @p compliance: of the @p model. With a
    * @p mean_error [rad] the springs also supply what the elements of the bodies lack until the mean
    * static transmission error is that. Returns the static transmission errors that the springs are
    * to have [rad], at equal steps over turns_over_mesh(). Where the grid gives none, a warning
@@ -49,7 +49,7 @@ namespace vfife
   std::vector<double>
   find_spring_errors(Compliance &compliance, const Model &model, const std::vector<double> &errors);
 
-  /** Mean static transmission error of a pair over a tooth mesh under the whole torque, of the
+  /** Mean static transmission error of a pair over a mesh cycle under the whole torque, of the
    * linear bodies on the contact's own grid [rad]: by every second position of
    * calibrate_penalty(). Throws as Compliance and PairPressure. Collective. */
   double find_mean_error(const Case &the_case, Compliance &compliance, const Model &model);

@@ -17,9 +17,9 @@ namespace vfife
   /** Section Pressure: instants of a run at which pressures are found on grids of their own. */
   struct InstantOptions
   {
-    std::vector<std::string> instants;   ///< tooth meshes since the start, or times
-    double                   every = 0;  ///< tooth meshes between more of them; 0: no more
-    double                   last  = 1;  ///< tooth meshes before the end with these; 0: the run
+    std::vector<std::string> instants;   ///< mesh cycles since the start, or times
+    double                   every = 0;  ///< mesh cycles between more of them; 0: no more
+    double                   last  = 1;  ///< mesh cycles before the end with these; 0: the run
     unsigned int             cells = 16; ///< across a contact
     double                   depth = 0;  ///< of the layers [mm]; 0: by Hertz's width
 

@@ -38,7 +38,7 @@ namespace vfife
 
     struct Position
     {
-      double position           = 0; ///< [tooth meshes]
+      double position           = 0; ///< [mesh cycles]
       double transmission_error = 0; ///< [arcsec]
       double time               = 0; ///< of an instant [s]
     };

@@ -13,7 +13,7 @@ namespace vfife
   struct RunSummary;
   struct Transmission;
 
-  /** An order of the tooth mesh in samples of a quantity. */
+  /** An order of the gear mesh in samples of a quantity. */
   struct MeshOrderContent
   {
     unsigned int order        = 0; ///< times the mesh frequency; 0: there is none
@@ -21,18 +21,18 @@ namespace vfife
   };
 
   /**
-   * The strongest order of the tooth mesh from @p first_order up to half the sampling rate, by
-   * Fourier's sum over the whole tooth meshes among the samples.
+   * The strongest order of the gear mesh from @p first_order up to half the sampling rate, by
+   * Fourier's sum over the whole mesh cycles among the samples.
    *
    * @param samples          equally spaced
-   * @param samples_per_mesh samples in one tooth mesh, > 1
+   * @param samples_per_mesh samples in one mesh cycle, > 1
    */
   MeshOrderContent find_strongest_order(const std::vector<double> &samples,
                                         unsigned int               samples_per_mesh,
                                         unsigned int               first_order);
 
   /**
-   * Orders of the tooth mesh above half the cut-off of reduced bodies: there their vibrations are
+   * Orders of the gear mesh above half the cut-off of reduced bodies: there their vibrations are
    * not those of the meshes (doc/reference/kinds.md, reduced). What a transmission error has of
    * them is said beside it.
    */
@@ -42,7 +42,7 @@ namespace vfife
     /** @p cutoff: of the bodies' modes [Hz]. */
     explicit NearCutoff(double cutoff);
 
-    /** Looks at a transmission error [arcsec] over whole tooth meshes at @p speed of the driver
+    /** Looks at a transmission error [arcsec] over whole mesh cycles at @p speed of the driver
      * [rpm] and a mesh frequency [Hz], whose peak to peak value is stated as @p stated [arcsec]. */
     void look(const std::vector<double> &errors,
               unsigned int               samples_per_mesh,

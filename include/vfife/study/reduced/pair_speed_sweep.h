@@ -47,18 +47,18 @@ namespace vfife
     PairSpeedSweepOptions options;
     double                cutoff  = 0; ///< that of the bodies [Hz]
     double                damping = 0; ///< of the momentum [1/s]
-    unsigned int          samples = 0; ///< in a tooth mesh
+    unsigned int          samples = 0; ///< in a mesh cycle
 
     std::optional<EdgesUnderLoad> edges; ///< that may carry; none: not looked for
 
     /** Of vibrations of force and stress that are looked at [Hz]. */
     double highest_frequency() const;
     /** Steps between two samples, a part of those between samples of a history: as many as show the
-     * highest frequency well. @p steps: in a tooth mesh of a frequency [Hz]. */
+     * highest frequency well. @p steps: in a mesh cycle of a frequency [Hz]. */
     unsigned int find_stride(double mesh_frequency, unsigned int steps) const;
-    /** Tooth meshes of a frequency [Hz] in which a speed settles. */
+    /** Mesh cycles of a frequency [Hz] in which a speed settles. */
     unsigned int find_settling_meshes(double mesh_frequency) const;
-    /** Width of a resonance with an order of the tooth mesh between its half-power points, in the
+    /** Width of a resonance with an order of the gear mesh between its half-power points, in the
      * speed of the driver [rad/s]. */
     double resonance_width(unsigned int order, unsigned int driver_teeth) const;
     /** What is wrong with speeds farther apart than a resonance with one of the judged orders is
@@ -131,12 +131,12 @@ namespace vfife
 
   private:
     double mesh_frequency_at(double speed) const;
-    /** Returns the steps in a tooth mesh. */
+    /** Returns the steps per mesh cycle. */
     unsigned int    set_speed(double speed);
     Eigen::MatrixXd read_stresses() const;
     SpeedSample     take_sample(State &state) const;
     void            add_teeth(const State &state, Table &teeth) const;
-    /** A tooth mesh so slow that nothing vibrates; empty without damping. */
+    /** A mesh cycle so slow that nothing vibrates; empty without damping. */
     void record_slow_mesh();
     /** By place, the largest of all sectors and positions of the slow mesh with the spin of a speed
      * [MPa]; not known without that mesh. */

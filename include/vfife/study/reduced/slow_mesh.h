@@ -9,7 +9,7 @@
 namespace vfife
 {
   /**
-   * What the sectors of a body show at all positions of the tooth mesh where nothing vibrates, a
+   * What the sectors of a body show at all positions of the mesh cycle where nothing vibrates, a
    * row a sector: after a mesh each of them shows what the one does that was where it is now.
    */
   class SlowMesh

@@ -24,13 +24,13 @@ namespace vfife
     bool   coast = false; ///< whether coast flanks touch
     /** By number of diameters from 1 on, of the rim's axial motion in space [um]. */
     std::vector<std::complex<double>> waves;
-    /** As StressWavePlaces::read() has them: without vibration at this position of the tooth mesh,
+    /** As StressWavePlaces::read() has them: without vibration at this position of the mesh cycle,
      * and what there is beyond. */
     Eigen::MatrixXd slow_stresses, vibration;
   };
 
   /**
-   * What a pair does at one speed, from equal samples of whole tooth meshes. Transmission errors,
+   * What a pair does at one speed, from equal samples of whole mesh cycles. Transmission errors,
    * forces and vibrations of stresses are those below a frequency: modes near the cut-off of
    * reduced bodies are not the bodies' own.
    */

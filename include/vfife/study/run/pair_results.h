@@ -50,11 +50,12 @@ namespace vfife
                         const std::function<FilletMeasure(const RootStress &)> &measure,
                         RunObservers                                           &observers);
 
-    /** Adds the writers of waves of stress that Output/stress waves asks for, of probes and of the
-     * fillets that are recorded. Throws InputError for diameters that the sectors cannot show. */
+    /** Adds the writers of waves of stress that Output/stress wave diameters asks for, of probes
+     * and of the fillets that are recorded. Throws InputError for diameters that the sectors cannot
+     * show. */
     void record_stress_waves(ProbeMeasure measure, RunObservers &observers);
 
-    /** Looks at the largest stresses of web, rim and hub over the run, a few times in a tooth mesh;
+    /** Looks at the largest stresses of web, rim and hub over the run, a few times in a mesh cycle;
      * of runs with positions of all nodes. */
     void record_parts(const DynamicsOptions &dynamics, RunObservers &observers);
 
@@ -71,7 +72,7 @@ namespace vfife
     NamedFigures list_figures(double penalty, const std::optional<Vector2> &arm_range) const;
 
     /** Adds the steady part of the @p history to the summary; @p swing_frequency [Hz]. Says how
-     * many tooth meshes a steady part needs (count_steady_meshes()). */
+     * many mesh cycles a steady part needs (count_steady_meshes()). */
     void find_steady(const Table           &history,
                      double                 swing_frequency,
                      const DynamicsOptions &dynamics,
@@ -98,7 +99,7 @@ namespace vfife
 
   private:
     bool has_constant_torque() const;
-    /** When the last tooth mesh of the run begins [s]. */
+    /** When the last mesh cycle of the run begins [s]. */
     double last_mesh() const;
 
     const Model                    &model_;

@@ -36,7 +36,7 @@ namespace vfife
   SampleColumns<ProbeWaveSample>  list_probe_wave_columns();
   SampleColumns<FilletWaveSample> list_fillet_wave_columns();
 
-  /** A sampled table at the start and over the last tooth mesh of a run alone. */
+  /** A sampled table at the start and over the last mesh cycle of a run alone. */
   template <typename Sample>
   class LastMeshTable : public SampledTable<Sample>
   {
@@ -66,7 +66,7 @@ namespace vfife
   class ProbeWaveWriter : public LastMeshTable<ProbeWaveSample>
   {
   public:
-    /** The last tooth mesh begins at @p last_mesh [s]; @p places must outlive the object. */
+    /** The last mesh cycle begins at @p last_mesh [s]; @p places must outlive the object. */
     ProbeWaveWriter(const OutputFolder              &folder,
                     std::uint64_t                    steps_between,
                     double                           last_mesh,

@@ -23,8 +23,8 @@ namespace vfife
     where_largest,     ///< time or speed of the row with the largest value
     largest_size,      ///< of the absolute values
     peak_to_peak,      ///< largest less smallest
-    periodic_share,    ///< part of the variance that repeats with the tooth mesh [-]
-    trend,             ///< slope of the meshes' means by least squares [a tooth mesh]
+    periodic_share,    ///< part of the variance that repeats with the mesh cycle [-]
+    trend,             ///< slope of the meshes' means by least squares [a mesh cycle]
     change,            ///< last over first, minus one [-]
     mean_above_half,   ///< mean over the time in which the column is above half its largest value
     time_above_half,   ///< that time, its ends interpolated [s]

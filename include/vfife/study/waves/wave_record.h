@@ -12,12 +12,12 @@ namespace vfife
   class ByteStream;
   struct Transmission;
 
-  /** A speed at which a wave is driven: steps in a tooth mesh, of which samples are taken. */
+  /** A speed at which a wave is driven: steps per mesh cycle, of which samples are taken. */
   struct WaveSchedule
   {
     double       speed           = 0; ///< of the driver [rad/s]
-    unsigned int steps           = 0; ///< in a tooth mesh
-    unsigned int samples         = 0; ///< in a tooth mesh, a divisor of the steps
+    unsigned int steps           = 0; ///< in a mesh cycle
+    unsigned int samples         = 0; ///< in a mesh cycle, a divisor of the steps
     unsigned int settling_meshes = 0;
     unsigned int counted_meshes  = 0;
 
@@ -34,7 +34,7 @@ namespace vfife
   {
     double                            speed     = 0; ///< of the driver [rad/s]
     double                            mesh_time = 0; ///< [s]
-    std::vector<std::complex<double>> meshes; ///< means over the tooth meshes, from the first [um]
+    std::vector<std::complex<double>> meshes; ///< means over the mesh cycles, from the first [um]
     std::complex<double>              amplitude; ///< mean over those that are counted [um]
     /** What drives the wave's harmonic: the part of the modal forces with that frequency, mean over
      * the counted meshes; empty where modes are not known. */
@@ -53,7 +53,7 @@ namespace vfife
   };
 
   /** What samples of a driven pair say of its wave, in the order of time: the first one is one part
-   * of a tooth mesh after the equilibrium. */
+   * of a mesh cycle after the equilibrium. */
   class WaveRecord
   {
   public:

@@ -10,7 +10,7 @@ namespace vfife
 {
   class CaseRunner;
 
-  /** Study kind `waves`: speeds at which orders of the tooth mesh meet travelling waves of the
+  /** Study kind `waves`: speeds at which orders of the gear mesh meet travelling waves of the
    * driven gear, what the pair, reduced or as explicit runs, does at and around each, and which
    * speeds to avoid. Runs have folders of their own, line_1_speed_1 and so on; with --restart
    * finished ones with the same entries are kept, and others go on from their checkpoints. */

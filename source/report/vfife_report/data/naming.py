@@ -6,20 +6,20 @@ GEAR = "Gear pair/Gear/"
 PINION = "Gear pair/Pinion/"
 NOT_OF_THE_CASE = ("Study/", "Output/")
 # How long is computed changes no physics.
-LENGTHS = ("Operation/tooth meshes", "Dynamics/end time", "Dynamics/largest number of steps")
+LENGTHS = ("Operation/mesh cycles", "Dynamics/end time", "Dynamics/maximum number of steps")
 
 
 def describe_web(parameters):
     """"web 5 mm at 70 deg", "no web"; empty for what is no gear pair."""
-    kind = parameters.get(GEAR + "Body/web")
+    kind = parameters.get(GEAR + "Body/body type")
     if kind is None:
         return ""
-    if kind == "none":
+    if kind == "rim only":
         return "no web"
     if kind == "solid":
         return "solid body"
     return (f"web {parameters[GEAR + 'Body/web thickness']} at "
-            f"{parameters[GEAR + 'Body/web angle']}")
+            f"{parameters[GEAR + 'Body/web inclination']}")
 
 
 def describe_pair(parameters):
@@ -68,7 +68,7 @@ def name_variants(runs):
     names = []
     for run in runs:
         webs = describe_web(run.parameters)
-        if differences and all(name.startswith(GEAR + "Body/web") for name in differences):
+        if differences and all(name.startswith((GEAR + "Body/body type", GEAR + "Body/web")) for name in differences):
             names.append(webs)
         elif 0 < len(differences) <= 2 and not any(list_unused(other.parameters).intersection(differences) for other in runs):
             names.append(", ".join(f"{name.split('/')[-1]} {run.parameters.get(name, 'absent')}"

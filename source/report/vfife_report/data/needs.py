@@ -20,7 +20,7 @@ def has_pair(run):
 
 
 def has_tooth_mesh(run):
-    """A history of a gear pair and the frequency of its tooth mesh."""
+    """A history of a gear pair and the mesh frequency."""
     return has_pair(run) and bool(run.samples_per_mesh())
 
 

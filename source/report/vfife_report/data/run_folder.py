@@ -64,7 +64,7 @@ class RunFolder:
         return self.summary.get("figures", {}).get(name, {}).get("value")
 
     def samples_per_mesh(self):
-        """Samples of the history in a tooth mesh; None without a gear pair."""
+        """Samples of the history in a mesh cycle; None without a gear pair."""
         frequency = self.value("mesh frequency")
         if not frequency or self.history is None or self.history.n_rows < 2:
             return None

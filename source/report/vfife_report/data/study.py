@@ -34,7 +34,7 @@ class Study:
 
     @cached_property
     def pairs(self):
-        """Variants that are runs of a gear pair with a tooth mesh."""
+        """Variants that are runs of a gear pair with a mesh cycle."""
         return [v for v in self.variants
                 if v.run.history is not None and TRANSMISSION_ERROR in v.run.history
                 and v.run.samples_per_mesh()]

@@ -54,7 +54,7 @@ class Speeds:
 
 
 def find_speeds(axis):
-    """The axis as speeds; None where the tooth mesh's frequency says that it is none."""
+    """The axis as speeds; None where the mesh frequency says that it is none."""
     if axis is None or axis.values[0] <= 0:
         return None
     frequencies = [v.run.value("mesh frequency") for v in axis.variants]

@@ -23,7 +23,7 @@ def list_checks(run):
         yield "status", status, "finished", judge(status == "finished")
     part = summary.get("steady part")
     if part:
-        yield ("steady part", f"{part['mesh cycles']} tooth meshes" if part["found"] else "none",
+        yield ("steady part", f"{part['mesh cycles']} mesh cycles" if part["found"] else "none",
                "found", judge(part["found"]))
         steady = run.is_ripple_steady()
         yield ("ripple, first half against second",
@@ -50,9 +50,9 @@ def list_checks(run):
         yield "contact inside the flanks", "edge contact" if carry else "no edge contact", "no edge contact", judge(not carry)
     elif run.teeth is not None and name_driven(run.parameters) == "pinion":
         yield "contact inside the flanks", "not available for a driving gear", "no edge contact", "not judged"
-    taken = summary.get("energy", {}).get("taken by the mesh damping from the swing")
+    taken = summary.get("energy", {}).get("taken by the driven speed damping from the swing")
     if taken and taken["value"] is not None and describe_pair(run.parameters):
-        yield "mesh damping: energy taken from the swing", f"{taken['value']:.3g} mJ", "not negative", judge(taken["value"] >= 0)
+        yield "driven speed damping: energy taken from the swing", f"{taken['value']:.3g} mJ", "not negative", judge(taken["value"] >= 0)
     losses = summary.get("contact losses")
     if losses and (run.value("mesh frequency") or run.changes_speed()):
         yield "losses of contact", str(losses["count"]), "0", judge(losses["count"] == 0)
@@ -62,8 +62,8 @@ def list_checks(run):
 
 
 def read_early_end(run):
-    """Steps after which Dynamics/largest number of steps has ended the run; 0 where it came to its end."""
-    steps = int(run.parameters.get("Dynamics/largest number of steps", "0").split()[0])
+    """Steps after which Dynamics/maximum number of steps has ended the run; 0 where it came to its end."""
+    steps = int(run.parameters.get("Dynamics/maximum number of steps", "0").split()[0])
     return steps if steps and run.summary.get("run", {}).get("steps") == steps else 0
 
 

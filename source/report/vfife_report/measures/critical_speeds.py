@@ -1,5 +1,5 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-"""Speeds at which orders of the tooth mesh meet modes of the pair in contact."""
+"""Speeds at which orders of the gear mesh meet modes of the pair in contact."""
 import numpy as np
 
 from ..data.naming import normalize

@@ -1,15 +1,15 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lines of the histories: harmonics of the tooth mesh, and what does not repeat with it."""
+"""Lines of the histories: harmonics of the gear mesh, and what does not repeat with it."""
 import numpy as np
 
 from .periodicity import fold_meshes
 from .spectrum import amplitudes_of, find_peaks, hann_window
 
-HIGHEST_LINE_ORDER = 12  # of the tooth mesh, up to which spectra are shown and lines are looked for
+HIGHEST_LINE_ORDER = 12  # of the gear mesh, up to which spectra are shown and lines are looked for
 
 
 def find_harmonics(values, samples_per_mesh, largest=None):
-    """Amplitudes of the orders 1 to `largest` of the tooth mesh (default: all that the samples resolve): of the mean
+    """Amplitudes of the orders 1 to `largest` of the gear mesh (default: all that the samples resolve): of the mean
     mesh, so that nothing leaks into them from lines that do not repeat."""
     mean = fold_meshes(values, samples_per_mesh).mean(axis=0)
     return amplitudes_of(mean)[1:][:largest]

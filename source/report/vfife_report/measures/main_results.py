@@ -25,7 +25,7 @@ def find_degree(run):
     """Of the elements' displacements; runs have 8-node elements."""
     if is_pair_run(run):
         return 1
-    return {"quadratic": 2, "cubic": 3}.get(run.parameters.get("Fem/element"), 1)
+    return {"quadratic": 2, "cubic": 3}.get(run.parameters.get("Fem/element type"), 1)
 
 
 def is_loaded_analysis(run):

@@ -1,5 +1,5 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-"""How steady and how periodic a history is: tooth meshes laid over each other, trend. doc/theory/steady-part.md
+"""How steady and how periodic a history is: mesh cycles laid over each other, trend. doc/theory/steady-part.md
 defines every number."""
 from dataclasses import dataclass
 
@@ -9,12 +9,12 @@ LEAST_MESHES = 2  # from which anything is said of what repeats
 
 
 def count_meshes(n_values, samples_per_mesh):
-    """Whole tooth meshes between the first and the last of equally spaced samples."""
+    """Whole mesh cycles between the first and the last of equally spaced samples."""
     return int((n_values - 1 + 1e-6) // samples_per_mesh)
 
 
 def fold_meshes(values, samples_per_mesh):
-    """Whole tooth meshes at the end of equally spaced samples as rows (meshes, positions), linear
+    """Whole mesh cycles at the end of equally spaced samples as rows (meshes, positions), linear
     between samples where a mesh is no whole number of them."""
     meshes = count_meshes(len(values), samples_per_mesh)
     positions = max(int(round(samples_per_mesh)), 2)
@@ -36,7 +36,7 @@ class Periodicity:
 
     @property
     def periodic_share(self):
-        """Part of the variance that repeats with the tooth mesh; 1: strictly periodic."""
+        """Part of the variance that repeats with the mesh cycle; 1: strictly periodic."""
         return 1 - (self.remainder / self.deviation) ** 2 if self.deviation > 0 else 1.0
 
 
@@ -55,7 +55,7 @@ def measure_periodicity(values, samples_per_mesh):
 
 
 def compute_mesh_average(values, samples_per_mesh):
-    """Mean over the tooth mesh centred at each sample, not a number nearer than half a mesh to the
+    """Mean over the mesh cycle centred at each sample, not a number nearer than half a mesh to the
     ends. Trapezoidal rule, exact between samples; a mesh need not be a whole number of them."""
     integral = np.concatenate([[0], np.cumsum(0.5 * (values[1:] + values[:-1]))])
     position = np.arange(len(values), dtype=float)

@@ -3,7 +3,7 @@
 nodes, points and areas depend on the mesh (doc/theory/contact.md, Pressures): they stay in the tables of the run."""
 import numpy as np
 
-ALLOWED = "Operation/allowed contact pressure"
+ALLOWED = "Operation/contact stress limit"
 
 
 def find_allowed_pressure(run):

@@ -36,7 +36,7 @@ def list_history_quantities(run):
         yield f"{column}, standard deviation", statistics["standard deviation"], unit
         periodicity = measure_column(run, column)
         if periodicity:
-            yield f"{column}, trend a tooth mesh", periodicity.trend, unit
+            yield f"{column}, trend per mesh cycle", periodicity.trend, unit
             yield f"{column}, change from mesh to mesh (rms)", periodicity.change, unit
             yield f"{column}, periodic share of the variance", 100 * periodicity.periodic_share, "%"
 
@@ -56,7 +56,7 @@ def list_tooth_quantities(run):
     frequency = run.value("mesh frequency")
     if frequency and one.whole:
         time = run.teeth["time"][one.rows]
-        yield "one tooth, in contact for", (time[-1] - time[0]) * frequency, "tooth meshes"
+        yield "one tooth, in contact for", (time[-1] - time[0]) * frequency, "mesh cycles"
 
 
 def list_probe_quantities(run):

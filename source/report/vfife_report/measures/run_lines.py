@@ -9,11 +9,11 @@ from .sidebands import find_resolution, list_shafts, name_offset
 
 HARMONICS_HEADER = ["order", "frequency [Hz]", "amplitude", "unit"]
 LINES_HEADER = ["line", "frequency [Hz]", "amplitude", "unit"]
-LOW_ORDER = 0.75  # of the tooth mesh, up to which a line is no sideband of a harmonic
+LOW_ORDER = 0.75  # of the gear mesh, up to which a line is no sideband of a harmonic
 
 
 def list_columns(run):
-    """Name, unit and values of the histories that are looked at; none without two tooth meshes."""
+    """Name, unit and values of the histories that are looked at; none without two mesh cycles."""
     rows = run.steady_rows(run.history)
     samples = run.samples_per_mesh()
     if not samples or np.count_nonzero(rows) <= LEAST_MESHES * samples:
@@ -54,10 +54,10 @@ def describe_resolution(run):
     """Which lines the length of the steady part cannot tell apart."""
     resolution = find_resolution(run)
     if not np.isfinite(resolution):
-        return "The record is too short for a spectrum: two whole tooth meshes at least."
+        return "The record is too short for a spectrum: two whole mesh cycles at least."
     text = f"Lines closer than {resolution:.0f} Hz are one line here."
     for shaft in list_shafts(run):
         if not shaft.resolved:
             text += (f" Sidebands at the rotation of the {shaft.name} ({shaft.frequency:.0f} Hz) cannot be "
-                     f"told from the harmonics: they need {shaft.meshes:.0f} tooth meshes, two revolutions.")
+                     f"told from the harmonics: they need {shaft.meshes:.0f} mesh cycles, two revolutions.")
     return text

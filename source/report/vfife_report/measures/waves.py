@@ -6,7 +6,7 @@ from .spectrum import compute_directed_spectrum, find_peaks
 
 COMPONENTS = {"r": "radial", "theta": "tangential", "z": "axial"}
 SHOWN_DIAMETERS = 6  # of spectra
-HIGHEST_WAVE_ORDER = 2.2  # of the tooth mesh, up to which spectra are shown
+HIGHEST_WAVE_ORDER = 2.2  # of the gear mesh, up to which spectra are shown
 
 
 def count_diameters(rim):

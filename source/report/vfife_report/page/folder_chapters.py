@@ -117,7 +117,7 @@ def tell_loaded_contact(run, plots):
     yield from plots
     positions = read_table(run.path / "loaded_contact.csv")
     if positions is not None:
-        yield Paragraph(f"{positions.n_rows} position{'s' * (positions.n_rows > 1)} over a tooth mesh: what lies between them is "
+        yield Paragraph(f"{positions.n_rows} position{'s' * (positions.n_rows > 1)} over a mesh cycle: what lies between them is "
                         "seen by none, so that peak to peak and largest values grow with their number (Loaded contact/positions).", "soft")
     table = read_table(run.path / "coupled_modes.csv")
     if table is not None:
@@ -231,7 +231,7 @@ def tell_waves(run, plots):
     beyond = list(list_peaks_beyond(lines, read_table(run.path / "waves_response.csv")))
     if beyond:
         yield Paragraph(f"Peaks beyond the speeds that were driven: {', '.join(beyond)}. Their speed, width and amplitude are "
-                        "continued by the fit, not seen; Waves/offsets may reach further.", "alarm")
+                        "continued by the fit, not seen; Waves/speed offsets may reach further.", "alarm")
     avoided = read_table(run.path / "speeds_to_avoid.csv")
     if avoided is not None:
         yield tell_rows(avoided, ("from", "to", "stress amplification", "waves"), range(avoided.n_rows),

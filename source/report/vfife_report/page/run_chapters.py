@@ -57,7 +57,7 @@ def describe_part(run):
 
 
 def is_preloaded(run):
-    return run.parameters.get("Dynamics/start", "static preload") == "static preload"
+    return run.parameters.get("Dynamics/start", "static equilibrium") == "static equilibrium"
 
 
 def tell_transmission_error(run, plots):
@@ -80,7 +80,7 @@ def tell_spectra(run, plots):
         return
     yield from plots
     yield Cells(["history"] + HARMONICS_HEADER, list_harmonics(run, 5),
-                "Largest harmonics of the tooth mesh, from the mean tooth mesh.")
+                "Largest harmonics of the gear mesh, from the mean mesh cycle.")
     yield Cells(["history"] + LINES_HEADER, list_other_lines(run),
                 f"Strongest lines of what does not repeat with the mesh, up to order {HIGHEST_LINE_ORDER} "
                 "(Hann's window).")
@@ -92,7 +92,7 @@ def tell_spectra(run, plots):
                  "trend a mesh", "periodic [%]"],
                 [[column, run.history.units[column], p.meshes, p.ripple, p.remainder, p.change,
                   p.largest_change, p.trend, 100 * p.periodic_share] for column, p in found if p],
-                "How far tooth meshes differ: ripple (peak to peak) of the mean mesh, standard deviation "
+                "How far mesh cycles differ: ripple (peak to peak) of the mean mesh, standard deviation "
                 "of the rest, change from one mesh to the next.")
 
 

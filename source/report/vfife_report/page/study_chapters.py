@@ -82,7 +82,7 @@ def tell_unsteady(study):
 def read_parameter(run, name):
     """Empty where it is of no meaning: thickness and angle of a web that is not there, entries that the study does not use."""
     body, _, word = name.rpartition("/")
-    if word.startswith("web ") and run.parameters.get(f"{body}/web") != "conical":
+    if word.startswith("web ") and run.parameters.get(f"{body}/body type") != "conical web":
         return ""
     if name in list_unused(run.parameters):
         return ""
@@ -121,7 +121,7 @@ def tell_means(study, plots):
                          "steady part" if variant.run.is_steady() else "last third",
                          RIPPLE_WORDS[variant.run.is_ripple_steady()]])
     yield Cells(["history", "variant", "mean", "peak to peak", "standard deviation",
-                 "trend a tooth mesh", "unit", "of the", "ripple"], rows, digits=EXACT)
+                 "trend per mesh cycle", "unit", "of the", "ripple"], rows, digits=EXACT)
 
 
 def tell_periodicity(study, plots):
@@ -129,7 +129,7 @@ def tell_periodicity(study, plots):
              100 * p.periodic_share, variant.run.history.units[column]]
             for column, variant, p in list_measured(study) if p]
     if rows:
-        yield Paragraph("Consecutive tooth meshes laid over each other: how much of the history "
+        yield Paragraph("Consecutive mesh cycles laid over each other: how much of the history "
                         "repeats with the mesh, and how far one mesh differs from the next.")
         yield Cells(["history", "variant", "meshes", "ripple of the mean mesh",
                      "change, rms", "change, largest", "periodic [%]", "unit"], rows)
@@ -141,7 +141,7 @@ def tell_lines(study, plots):
     if not rows:
         return
     yield Cells(["history", "variant"] + HARMONICS_HEADER, sorted(rows, key=lambda row: row[0]),
-                "Largest harmonics of the tooth mesh, from the mean tooth mesh.")
+                "Largest harmonics of the gear mesh, from the mean mesh cycle.")
     rows = [[row[0], v.name] + row[1:] for v in pairs for row in list_other_lines(v.run, 3, 2)]
     yield Cells(["history", "variant"] + LINES_HEADER, sorted(rows, key=lambda row: row[0]),
                 f"Strongest lines of what does not repeat with the mesh, up to order {HIGHEST_LINE_ORDER} "

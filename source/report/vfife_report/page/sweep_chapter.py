@@ -32,7 +32,7 @@ def list_sentences(speeds, beside):
         if np.any(np.isfinite(values)):
             at = int(np.nanargmax(values))
             unit = axis.variants[at].run.history.units[column]
-            yield (f"The {column} ripples most at {axis.text(at)} (tooth mesh {speeds.frequencies[at]:.0f} "
+            yield (f"The {column} ripples most at {axis.text(at)} (mesh frequency {speeds.frequencies[at]:.0f} "
                    f"Hz): {values[at]:.4g} {unit} peak to peak; least at "
                    f"{axis.text(int(np.nanargmin(values)))}: {np.nanmin(values):.4g} {unit}.")
     for response in beside.responses:
@@ -71,7 +71,7 @@ def list_speed_tables(speeds, beside):
                     + [read_ripple(axis, column, what)[k] for column, _ in RIPPLES
                        for what in ("mean", "peak to peak", "standard deviation")]
                     + [line.frequency if line else None, line.amplitude if line else None, nearest])
-    yield Cells([axis.label, "tooth mesh [Hz]", "lines apart [Hz]", "dte, mean [arcsec]", "peak to peak",
+    yield Cells([axis.label, "mesh frequency [Hz]", "lines apart [Hz]", "dte, mean [arcsec]", "peak to peak",
                  "RMS", "force, mean [N]", "peak to peak", "RMS",
                  "dte: strongest line beside the mesh [Hz]", "amplitude [arcsec]",
                  "nearest coupled mode [Hz]"], rows,

@@ -14,14 +14,14 @@ BLANK_ROWS = (
 ROWS = (("speed of the pinion in operation", "Operation/speed"),
         ("torque on the {driven}", "Operation/torque"),
         ("torque on the pinion", "Operation/pinion torque"),
-        ("tooth meshes", "Operation/tooth meshes"),
+        ("mesh cycles", "Operation/mesh cycles"),
         ("start", "Dynamics/start"),
-        ("bore of the {driven}", "Operation/hub"),
-        ("damping", "Dynamics/damping"),
-        ("mesh damping", "Dynamics/mesh damping"),
+        ("bore of the {driven}", "Operation/bore rotation"),
+        ("mass proportional damping", "Dynamics/mass proportional damping"),
+        ("driven speed damping", "Dynamics/driven speed damping"),
         ("contact: discretization, surface", "Contact/discretization", "Contact/surface"),
         ("friction coefficient", "Contact/friction coefficient"),
-        ("element frame, stiffness", "Dynamics/frame", "Dynamics/stiffness"))
+        ("element frame, stiffness", "Dynamics/corotational frame", "Dynamics/element type"))
 ERRORS = ("Gear pair/Mounting/", "Gear pair/Errors/")
 DESIGNED = ("Gear pair/Mounting/shaft angle", "Gear pair/Mounting/backlash")  # of the table of the geometry
 
@@ -35,7 +35,7 @@ def describe_damping(parameters):
     """The rate in force: a ratio at a frequency stands in for it where both are given."""
     ratio, frequency = (parameters.get(f"Dynamics/damping {what}", "0") for what in ("ratio", "frequency"))
     if is_zero(ratio) or is_zero(frequency):
-        return parameters["Dynamics/damping"]
+        return parameters["Dynamics/mass proportional damping"]
     return f"{ratio} at {frequency}"
 
 
@@ -74,7 +74,7 @@ def list_case_rows(run):
     given = not run.geometry and parameters.get("Gear pair/Proposal/pinion teeth", "0") == "0"
     unused = list_unused(parameters)
     for name, *keys in (BLANK_ROWS if given else ()) + ROWS:
-        values = [describe_damping(parameters) if key == "Dynamics/damping" else parameters[key]
+        values = [describe_damping(parameters) if key == "Dynamics/mass proportional damping" else parameters[key]
                   for key in keys if key in parameters]
         if not all(is_zero(value) for value in values) and not unused.issuperset(keys):
             yield name.format(driven=name_driven(parameters)), ", ".join(values)
@@ -98,14 +98,14 @@ def list_case_rows(run):
 
 
 def list_sweep_rows(parameters):
-    """Of a reduced pair at many speeds, in place of its speed and its tooth meshes."""
+    """Of a reduced pair at many speeds, in place of its speed and its mesh cycles."""
     if not sweeps_speeds(parameters):
         return
     between = describe_speeds(parameters)
     yield "speeds of the pinion", f"{parameters['Reduced/speeds']} from {between[0]} to {between[1]}, {parameters['Reduced/sweep']}"
     decay = parameters.get("Reduced/settling decay times", "0")
     least = "" if is_zero(decay) else f" and {decay} decay times at least"
-    yield "tooth meshes at each speed", f"{parameters['Reduced/settling meshes']}{least} to settle, {parameters['Reduced/counted meshes']} counted"
+    yield "mesh cycles at each speed", f"{parameters['Reduced/settling mesh cycles']}{least} to settle, {parameters['Reduced/recorded mesh cycles']} counted"
 
 
 def list_error_rows(run):
@@ -149,7 +149,7 @@ def list_sentences(run):
         time = summary["run"]["time"]["value"]
         yield (f"The {pair[0].lower()}{pair[1:]} turns at {parameters['Operation/speed']} of the pinion, the load is "
                f"{describe_torques(run)}. Teeth mesh at {frequency:.0f} Hz; "
-               f"the run covers {time * frequency:.3g} tooth meshes ({1e3 * time:.4g} ms) from "
+               f"the run covers {time * frequency:.3g} mesh cycles ({1e3 * time:.4g} ms) from "
                f"{describe_start(parameters)}.")
     elif pair and sweeps_speeds(parameters) and run.value("speeds"):
         yield (f"The {pair[0].lower()}{pair[1:]} turns at {run.value('speeds'):.0f} speeds from {run.value('lowest speed'):.5g} to "
@@ -175,8 +175,8 @@ def describe_torques(run):
 
 def describe_start(parameters):
     start = parameters.get("Dynamics/start", "")
-    if start == "static preload":
+    if start == "static equilibrium":
         return "equilibrium under centrifugal force and full torque"
     if start == "ramp":
-        return f"touching flanks, the torque growing over {parameters['Operation/ramp']} tooth meshes"
+        return f"touching flanks, the torque growing over {parameters['Operation/ramp']} mesh cycles"
     return f"the start \"{start}\""

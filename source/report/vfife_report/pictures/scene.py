@@ -28,7 +28,7 @@ class Scene:
         if self.run.summary.get("study") in ("static", "linear static"):
             return "in equilibrium"
         if self.run.summary.get("study") == "loaded tooth contact analysis":
-            return f"tooth mesh {self.fields.time:g}"
+            return f"mesh cycle {self.fields.time:g}"
         return "at rest" if self.fields.time is None else f"time {1e3 * self.fields.time:.3f} ms"
 
 

@@ -22,7 +22,7 @@ def look(variant):
 
 
 def draw_histories(study, column):
-    """Means over a tooth mesh for the whole run; the last tooth meshes less the steady mean."""
+    """Means over a mesh cycle for the whole run; the last mesh cycles less the steady mean."""
     plot, (above, below) = plt.subplots(2, 1, figsize=(8, 7))
     for variant in study.pairs:
         run = variant.run
@@ -35,9 +35,9 @@ def draw_histories(study, column):
         below.plot(meshes[last] - meshes[-1], values[last] - mean, label=variant.name,
                    **look(variant))
     label = study.pairs[0].run.history.label(column)
-    above.set(title="mean over a tooth mesh", xlabel="tooth meshes", ylabel=label)
-    below.set(title=f"last {LAST_MESHES} tooth meshes as they are, less the mean of the steady part",
-              ylabel=label, xlabel="tooth meshes before the end")
+    above.set(title="mean over a mesh cycle", xlabel="mesh cycles", ylabel=label)
+    below.set(title=f"last {LAST_MESHES} mesh cycles as they are, less the mean of the steady part",
+              ylabel=label, xlabel="mesh cycles before the end")
     for axes in (above, below):
         axes.margins(x=0)
     add_legend(above, fontsize=9)
@@ -78,7 +78,7 @@ def draw_tooth_stress(study):
         name += "" if one.whole else " (cut by the record)"
         axes.plot(at, teeth["hertz pressure"][one.rows], label=name, **look(variant))
     axes.set(title="largest pressure of Hertz's ellipse under the tooth's force",
-             ylabel="contact pressure [MPa]", xlabel="tooth meshes since the first touch")
+             ylabel="contact pressure [MPa]", xlabel="mesh cycles since the first touch")
     axes.set_ylim(bottom=0)
     add_legend(axes, fontsize=8)
     return plot

@@ -172,7 +172,7 @@ def draw_driven_waves(run):
 
 
 def draw_growth(run):
-    """A panel a line: means over tooth meshes at the speed of the line."""
+    """A panel a line: means over mesh cycles at the speed of the line."""
     lines, growth = Table(run.path / "waves_lines.csv"), Table(run.path / "waves_build_up.csv")
     shown = list_lines(lines)
     plot, panels = make_panels(len(shown))

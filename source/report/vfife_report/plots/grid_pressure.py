@@ -16,10 +16,10 @@ def draw_pressure(run):
     inside = table["largest pressure inside"][order]
     left.plot(after, np.where(inside > 0, inside, np.nan), "o-", color=COLOURS[0], label="inside the flank")
     left.plot(after, table["largest pressure"][order], ".--", color=COLOURS[1], label="anywhere, edges included")
-    left.set(xlabel="tooth meshes after its mean contact", ylabel="largest pressure [MPa]", ylim=(0, None))
+    left.set(xlabel="mesh cycles after its mean contact", ylabel="largest pressure [MPa]", ylim=(0, None))
     add_legend(left)
     right.plot(after, table["force"][order], "o-", color=COLOURS[0])
-    right.set(xlabel="tooth meshes after its mean contact", ylabel="force of the tooth pair [N]", ylim=(0, None))
+    right.set(xlabel="mesh cycles after its mean contact", ylabel="force of the tooth pair [N]", ylim=(0, None))
     return plot
 
 
@@ -37,7 +37,7 @@ def draw_pressure_field(run):
             along = table["along the face, pinion" if body == "pinion" else "along the face, gear"][rows]
             up = table["along the profile, pinion" if body == "pinion" else "along the profile, gear"][rows]
             cells = axes.scatter(along, up, c=table["pressure"][rows], s=2, vmin=0, vmax=most, cmap="viridis")
-            axes.set(title=f"{body}, {position:.5g} tooth meshes", ylabel="profile [mm]")
+            axes.set(title=f"{body}, {position:.5g} mesh cycles", ylabel="profile [mm]")
     for axes in all_axes[-1]:
         axes.set_xlabel("face, mm from its middle to the heel")
     plot.colorbar(cells, ax=list(all_axes.flat), label="pressure [MPa]", shrink=0.6, extend="max")

@@ -27,14 +27,14 @@ def mark_steady_part(run, axes):
 
 
 def finish_time_axis(run, axes):
-    """Time below, tooth meshes above."""
+    """Time below, mesh cycles above."""
     axes.set_xlabel("time [ms]")
     axes.margins(x=0)
     frequency = run.value("mesh frequency")
     if frequency:
         above = axes.secondary_xaxis("top", functions=(lambda t: t * frequency * 1e-3,
                                                        lambda n: n / frequency * 1e3))
-        above.set_xlabel("tooth meshes", fontsize=8, color=GREY)
+        above.set_xlabel("mesh cycles", fontsize=8, color=GREY)
         above.tick_params(labelsize=8, colors=GREY)
 
 
@@ -47,12 +47,12 @@ def draw_transmission_error(run):
         axes.plot(time, history[name], color=colour, linewidth=0.7, alpha=0.55, label=text)
         if samples:
             axes.plot(time, compute_mesh_average(history[name], samples), color=colour, linewidth=2,
-                      label=f"{text}, mean over a tooth mesh")
+                      label=f"{text}, mean over a mesh cycle")
         # Hub and rim are so far apart that their ripples would be lines.
         below.plot(time, history[name] - run.steady_values(name).mean(), color=colour, linewidth=0.8,
                    label=f"{text} less its mean")
     axes.set_ylabel(history.label("dte"))
-    axes.set_title("Dynamic transmission error: as it is (thin), mean over a tooth mesh (thick)")
+    axes.set_title("Dynamic transmission error: as it is (thin), mean over a mesh cycle (thick)")
     mark_steady_part(run, axes)
     finish_time_axis(run, axes)
     axes.set_xlabel("")
@@ -142,7 +142,7 @@ def draw_energies(run):
     above.set_ylabel("energy error [%]")
     above.set_title("Residual of the energy ledger over the largest energy so far")
     shown = ("strain energy", "contact energy", "relative kinetic energy", "damping loss",
-             "taken by the mesh damping", "mesh damping loss", "contact loss")
+             "taken by the driven speed damping", "driven speed damping loss", "contact loss")
     for number, name in enumerate(n for n in shown if n in history and np.any(history[n])):
         change = history[name] - history[name][0]
         below.plot(time, change, color=COLOURS[number % len(COLOURS)],

@@ -1,9 +1,9 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-"""Plot of a loaded tooth contact analysis over one tooth mesh."""
+"""Plot of a loaded tooth contact analysis over one mesh cycle."""
 from ..data.table import Table
 from .style import add_legend, plt
 
-POSITION = "position, tooth meshes"
+POSITION = "position, mesh cycles"
 
 
 def plot_columns(axes, table, names, label, scale=1.0):

@@ -11,7 +11,7 @@ MOTIONS = (("dte", "transmission error [arcsec]"), ("mesh force", "mesh force [N
 
 
 def draw_motion(run):
-    """The last tooth meshes at the speed of operation."""
+    """The last mesh cycles at the speed of operation."""
     motion = Table(run.path / "lumped.csv")
     rows = motion["position"] > motion["position"][-1] - SHOWN_MESHES
     plot, panels = plt.subplots(2, 1, sharex=True, figsize=(8, 6))
@@ -19,7 +19,7 @@ def draw_motion(run):
         axes.plot(1e3 * motion["time"][rows], motion[column][rows], color=COLOURS[1])
         axes.set_ylabel(label)
         axes.margins(x=0)
-    panels[0].set_title(f"Last {SHOWN_MESHES} tooth meshes")
+    panels[0].set_title(f"Last {SHOWN_MESHES} mesh cycles")
     panels[1].set_xlabel("time [ms]")
     return plot
 

@@ -8,7 +8,7 @@ from ..data.table import Table
 from .style import COLOURS, SIGNED_MAP, add_legend, plt
 
 AFTER = "after the mesh"
-SHOWN = 4  # tooth meshes on either side of the mesh
+SHOWN = 4  # mesh cycles on either side of the mesh
 
 
 def list_fillets(table):
@@ -54,7 +54,7 @@ def plot_members(table, label):
 
 def draw_root_stress(run):
     table = Table(run.path / "root_stress.csv")
-    plot, curves = plot_members(table, "tooth meshes after the mesh")
+    plot, curves = plot_members(table, "mesh cycles after the mesh")
     for axes, colour, body, fillet in curves:
         at, tension, compression = extremes(table, rows_of(table, body, fillet))
         near = np.abs(at) <= SHOWN
@@ -113,6 +113,6 @@ def draw_gauges(run):
         order = np.argsort(x, kind="stable")
         near = slice(None) if over_time else np.abs(x[order]) <= SHOWN
         axes.plot(x[order][near], table["strain"][rows][order][near], label=name)
-    axes.set(xlabel="time [ms]" if over_time else "tooth meshes after the mesh", ylabel=table.label("strain"))
+    axes.set(xlabel="time [ms]" if over_time else "mesh cycles after the mesh", ylabel=table.label("strain"))
     add_legend(axes)
     return plot

@@ -9,7 +9,7 @@ from .style import COLOURS, GREY, PRESSURE_MAP, add_legend, plt
 from .waterfalls import DECADES
 
 WINDOWS = 24  # of a record, laid over each other by half
-SHOWN_ORDERS = 4.5  # of the tooth mesh at the largest speed
+SHOWN_ORDERS = 4.5  # of the gear mesh at the largest speed
 
 
 def draw_orders(run):
@@ -25,7 +25,7 @@ def draw_orders(run):
         axes.set_ylabel(orders.label(name))
         axes.set_ylim(bottom=0)
     add_legend(panels[0], ncol=2, fontsize=9)
-    panels[0].set_title("Amplitudes of the mesh orders, in windows of whole tooth meshes")
+    panels[0].set_title("Amplitudes of the mesh orders, in windows of whole mesh cycles")
     panels[-1].set_xlabel(f"{orders.label('speed')} of the driver")
     return plot
 

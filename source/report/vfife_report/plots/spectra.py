@@ -1,5 +1,5 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-"""Spectra of the histories in orders of the tooth mesh, and around its harmonics."""
+"""Spectra of the histories in orders of the gear mesh, and around its harmonics."""
 import numpy as np
 
 from ..data.columns import CONTACT_FORCE, RIM_TRANSMISSION_ERROR, TRANSMISSION_ERROR
@@ -10,7 +10,7 @@ from .style import COLOURS, GREY, add_legend, plt
 
 
 def draw_spectra(run):
-    """None for less than two tooth meshes."""
+    """None for less than two mesh cycles."""
     samples = run.samples_per_mesh()
     shown = ((TRANSMISSION_ERROR, "arcsec"), (RIM_TRANSMISSION_ERROR, "arcsec"), (CONTACT_FORCE, "N"))
     plot, panels = plt.subplots(len(shown), 1, sharex=True, figsize=(8, 7))

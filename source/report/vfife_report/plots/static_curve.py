@@ -1,5 +1,5 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-"""A run beside the static pair in the same positions of a tooth mesh."""
+"""A run beside the static pair in the same positions of a mesh cycle."""
 import numpy as np
 
 from ..data.columns import TRANSMISSION_ERROR
@@ -28,7 +28,7 @@ def has_static_curve(study):
 
 
 def compute_mean_mesh(run, column):
-    """Position in the tooth mesh and mean of the column there over the steady part."""
+    """Position in the mesh cycle and mean of the column there over the steady part."""
     rows = run.steady_rows(run.history)
     position = run.history["time"][rows] * run.value("mesh frequency") % 1
     values = run.history[column][rows]
@@ -39,13 +39,13 @@ def compute_mean_mesh(run, column):
 
 
 def draw_static_curve(study):
-    """Transmission error over a tooth mesh: the run's mean mesh and the static curve."""
+    """Transmission error over a mesh cycle: the run's mean mesh and the static curve."""
     table = find_static_curve(study)
     plot, axes = plt.subplots()
     axes.plot(table["position"] % 1, table["transmission error"], "o", color=COLOURS[0], label="static pair")
     for number, variant in enumerate(study.pairs):
         position, means = compute_mean_mesh(variant.run, TRANSMISSION_ERROR)
         axes.plot(position, means, color=COLOURS[1 + number % 6], label=f"{variant.name}, mean mesh")
-    axes.set(title="Transmission error over a tooth mesh; of runs the mean tooth mesh of the steady part", xlabel="position, tooth meshes", ylabel="dte [arcsec]")
+    axes.set(title="Transmission error over a mesh cycle; of runs the mean mesh cycle of the steady part", xlabel="position, mesh cycles", ylabel="dte [arcsec]")
     add_legend(axes)
     return plot

@@ -40,7 +40,7 @@ def list_pattern_bodies(run):
 
 
 def draw_contact_pattern(run):
-    """Patterns of both bodies over one tooth mesh; nodes spread the contact over their facets, so that the
+    """Patterns of both bodies over one mesh cycle; nodes spread the contact over their facets, so that the
     size of a pressure is no stress."""
     bodies = list_pattern_bodies(run)
     plot, all_axes = plt.subplots(1, len(bodies), figsize=(10, 3), squeeze=False)
@@ -81,7 +81,7 @@ def draw_load_sharing(run):
     pairs = zip(teeth["pinion tooth"][drive], teeth["gear tooth"][drive])
     for number, (tooth, gear_tooth) in enumerate(dict.fromkeys(pairs)):
         rows = drive & (teeth["pinion tooth"] == tooth) & (teeth["gear tooth"] == gear_tooth)
-        # Teeth follow each other in the - sense of the numbers, one a tooth mesh, and come again.
+        # Teeth follow each other in the - sense of the numbers, one a mesh cycle, and come again.
         at = teeth["time"][rows] * frequency
         turns = np.round((at.mean() + tooth) / count)
         meshes = at - (turns * count - tooth)
@@ -98,7 +98,7 @@ def draw_load_sharing(run):
     below.set_ylabel("pressure [MPa]")
     below.set_title("Largest pressure of Hertz's ellipse")
     below.set_ylim(bottom=0)
-    below.set_xlabel("tooth meshes")
+    below.set_xlabel("mesh cycles")
     return plot
 
 
@@ -121,7 +121,7 @@ def draw_tooth_engagement(run):
         below.annotate("allowed", (0, allowed), xytext=(3, 3), textcoords="offset points", fontsize=8, color=GREY)
     below.set_title("Largest pressure of Hertz's ellipse under this force, inside the flanks")
     below.set_ylabel("contact pressure [MPa]")
-    below.set_xlabel("tooth meshes since the first touch")
+    below.set_xlabel("mesh cycles since the first touch")
     for axes in (above, below):
         axes.set_ylim(bottom=0)
     return plot

@@ -79,7 +79,7 @@ namespace vfife
       return *ends.second - *ends.first;
     }
 
-    /** How much the transmission error swings over a tooth mesh, and how far the run is from the
+    /** How much the transmission error swings over a mesh cycle, and how far the run is from the
      * static @p curve anywhere, both at those of its positions that the run passes. */
     void add_static_curve(const PairRun             &run,
                           const std::vector<double> &positions,
@@ -87,7 +87,7 @@ namespace vfife
                           const ComparedCase        *coupled,
                           ComparisonRows            &rows)
     {
-      // 1. Where both have a value: a steady part shorter than a tooth mesh passes some positions
+      // 1. Where both have a value: a steady part shorter than a mesh cycle passes some positions
       // only.
       const auto          cycle = run.at_positions(column::dte, positions);
       std::vector<double> passed, reference, off = {0.};
@@ -99,7 +99,7 @@ namespace vfife
             off.push_back(std::abs(*cycle[i] - curve[i]));
           }
       const std::string where =
-        "mean tooth mesh of the run at " +
+        "mean mesh cycle of the run at " +
         (passed.size() == curve.size() ? "the positions"
                                        : std::to_string(passed.size()) + " of the " +
                                            std::to_string(curve.size()) + " positions") +
@@ -111,7 +111,7 @@ namespace vfife
                                             TurningModes(coupled->table("coupled_modes.csv"), 0.));
 
       // 2. The rows.
-      ComparisonRow row{"dte over the tooth mesh, peak to peak",
+      ComparisonRow row{"dte over the mesh cycle, peak to peak",
                         "arcsec",
                         peak_to_peak(passed),
                         peak_to_peak(reference),
@@ -122,7 +122,7 @@ namespace vfife
       run.judge_slow_ripple(2 * run.tolerances.error * std::abs(mean(curve)), row, 2 * swing);
       rows.push_back(row);
 
-      row = {"dte over the tooth mesh, largest distance from the static curve",
+      row = {"dte over the mesh cycle, largest distance from the static curve",
              "arcsec",
              passed.empty() ? peak_to_peak({}) : peak_to_peak(off), // from 0 on
              0.,

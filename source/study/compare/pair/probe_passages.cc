@@ -59,7 +59,7 @@ namespace vfife
         const double slack = 1e-6 / mesh_frequency;
         for (const auto &[meshes, stress] : curve_of(loaded, name, column::after_mesh))
           {
-            // Instants of both: the static places count tooth meshes from the mesh on, which each
+            // Instants of both: the static places count mesh cycles from the mesh on, which each
             // probe passes at its time. Peaks are taken at the same instants, for a run has many
             // more of them.
             const double time = in_mesh + meshes / mesh_frequency;

@@ -37,7 +37,7 @@ namespace vfife
         unsigned int n   = 0;
         for (std::size_t i = 0; i + 1 < time.size(); ++i)
           {
-            // In tooth meshes from the position: the mesh is there where this is a whole number,
+            // In mesh cycles from the position: the mesh is there where this is a whole number,
             // and there is one between the samples where ceil(here) < next.
             const double here = time[i] * mesh_frequency - position;
             const double next = time[i + 1] * mesh_frequency - position;
@@ -63,7 +63,7 @@ namespace vfife
       std::accumulate(curve.begin(), curve.end(), 0., [](const double most, const double value) {
         return std::max(most, std::abs(value));
       });
-    // The static curve over a tooth mesh by harmonics: the modes are driven by each of them.
+    // The static curve over a mesh cycle by harmonics: the modes are driven by each of them.
     const FourierSeries series    = FourierSeries::interpolate(curve);
     double              departure = 0;
     // Without damping a mode follows harmonic k with 1/(1 - r^2); less the 1 of the static curve

@@ -19,7 +19,7 @@ namespace vfife
 
     constexpr unsigned int n_positions = 32, n_orders = 4;
 
-    /** The mean tooth mesh of a steady part at positions that lie evenly over it. */
+    /** The mean mesh cycle of a steady part at positions that lie evenly over it. */
     struct MeanMesh
     {
       std::vector<double> values;
@@ -54,7 +54,7 @@ namespace vfife
       return orders;
     }
 
-    /** Nothing where the steady part is shorter than a tooth mesh. */
+    /** Nothing where the steady part is shorter than a mesh cycle. */
     std::optional<MeanMesh> find_mean_mesh(const PairRun &run, const std::string &column)
     {
       std::vector<double> positions;
@@ -119,13 +119,13 @@ namespace vfife
       add(run,
           reduced,
           std::max(part, noise),
-          {column + " over the tooth mesh, rms distance from the reduced pair's",
+          {column + " over the mesh cycle, rms distance from the reduced pair's",
            unit,
            distance(*one, *other),
            0.,
            kind,
            {},
-           "mean tooth meshes less their means; tolerance: " +
+           "mean mesh cycles less their means; tolerance: " +
              (part > noise ? "a part of the run's peak to peak"
                            : "what single meshes of the run differ from their mean, " +
                                rounded_text(noise) + " " + unit)},
@@ -145,7 +145,7 @@ namespace vfife
                                     amplitude,
                                     kind,
                                     {},
-                                    "of the mean tooth meshes"};
+                                    "of the mean mesh cycles"};
           if (noise > part)
             row.reason += "; single meshes of the run differ from their mean, which makes " +
                           figure_text(noise) + " " + unit + " uncertain";

@@ -50,7 +50,7 @@ namespace vfife
     void
     cut(const std::string &column, std::vector<double> &time, std::vector<double> &values) const;
 
-    /** Means of a column over the tooth meshes of the steady part, at @p positions. */
+    /** Means of a column over the mesh cycles of the steady part, at @p positions. */
     std::vector<std::optional<double>> at_positions(const std::string         &column,
                                                     const std::vector<double> &positions) const;
 

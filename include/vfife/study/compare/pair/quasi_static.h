@@ -21,8 +21,8 @@ namespace vfife
   };
 
   /**
-   * The mean tooth mesh of a history, linear between its samples, at @p positions of the mesh
-   * [tooth meshes]; nothing at positions that it does not pass.
+   * The mean mesh cycle of a history, linear between its samples, at @p positions of the mesh
+   * [mesh cycles]; nothing at positions that it does not pass.
    */
   std::vector<std::optional<double>> compute_mean_mesh(const std::vector<double> &time,
                                                        const std::vector<double> &values,
@@ -34,7 +34,7 @@ namespace vfife
    * (doc/reference/sweep-and-compare.md): harmonic k of the curve is followed by a mode f_i with
    * the amplification 1/(1 - r^2), r = k f_mesh/f_i, so the departure is at most sum_k A_k |sum_i
    * s_i r^2/(1 - r^2)| without damping; s_i: shares. @p curve: at positions that lie evenly over
-   * one tooth mesh, from its beginning on; harmonics are those they resolve. In the unit of the
+   * one mesh cycle, from its beginning on; harmonics are those they resolve. In the unit of the
    * curve.
    */
   double estimate_swing(const std::vector<double> &curve,

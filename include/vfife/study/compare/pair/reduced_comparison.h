@@ -9,7 +9,7 @@ namespace vfife
   class PairRun;
 
   /** Rows of an explicit run against the reduced pair of the same file
-   * (doc/reference/sweep-and-compare.md): means, curves over the tooth mesh, orders of the mesh
+   * (doc/reference/sweep-and-compare.md): means, curves over the mesh cycle, orders of the mesh
    * frequency, swing. */
   void add_reduced(const PairRun &run, const PairRun &reduced, ComparisonRows &rows);
 } // namespace vfife
