@@ -16,14 +16,14 @@ INCLUDE = re.compile(r"^\s*include\s+(\S+)", re.M)
 
 def read_entries():
     """(section, name, default, meaning) of the generated reference."""
-    entries, section = [], ""
+    entries, sections = [], []
     for line in (ROOT / "doc/parameter_reference.md").read_text().splitlines():
         if line.startswith("## "):
-            section = line[3:]
+            sections = line[3:].split(", ")
         elif line.startswith("| ") and not line.startswith("| entry |"):
             cells = [cell.strip() for cell in line.strip("| ").split(" | ")]
             if len(cells) >= 3:
-                entries.append((section, cells[0], cells[1].split(";")[0], cells[-1]))
+                entries += [(section, cells[0], cells[1].split(";")[0], cells[-1]) for section in sections]
     return entries
 
 

@@ -234,6 +234,33 @@ namespace vfife
       collect(declared, "", model_kinds, sections);
     }
 
+    /** Whether two sections have the same rows and readers. */
+    bool is_alike(const Section &a, const Section &b)
+    {
+      return a.kinds == b.kinds && std::equal(a.entries.begin(),
+                                              a.entries.end(),
+                                              b.entries.begin(),
+                                              b.entries.end(),
+                                              [](const Entry &x, const Entry &y) {
+                                                return x == y && x.standard == y.standard &&
+                                                       x.words == y.words && x.others == y.others;
+                                              });
+    }
+
+    /** Sections of both members, or of both flanks, become one under both paths. */
+    void merge_alike(std::vector<Section> &sections)
+    {
+      for (auto section = sections.begin(); section != sections.end(); ++section)
+        for (auto other = section + 1; other != sections.end();)
+          if (is_alike(*section, *other))
+            {
+              section->path += ", " + other->path;
+              other = sections.erase(other);
+            }
+          else
+            ++other;
+    }
+
     /** A list between @p before and @p after; nothing where it is empty. */
     void write_list(std::ostream                   &out,
                     const std::string              &before,
@@ -259,6 +286,7 @@ namespace vfife
     std::stable_sort(sections.begin(), sections.end(), [](const Section &a, const Section &b) {
       return a.path < b.path;
     });
+    merge_alike(sections);
     out << "# Parameters\n\nAll sections of parameter files, by `vfife --parameter-reference`. How "
            "files are written: [parameter file](reference/parameter-file.md).\n";
     for (const Section &section : sections)

@@ -117,6 +117,10 @@ void check_other_contradictions()
          },
          "Gear/Blank/hand of spiral",
          {"same hand"});
+  expect("no hand",
+         [](Options &o) { o.pinion.blank.hand = o.gear.blank.hand = Hand::automatic; },
+         "Gear/Blank/hand of spiral",
+         {"Set it for the pinion or the gear"});
   expect("no clearance",
          [](Options &o) { o.gear.blank.mean_dedendum = 3.; },
          "Gear/Blank/mean dedendum",
@@ -222,6 +226,10 @@ void check_reading()
                               "  set gear axial shift = -100 um\n"
                               "  set shaft angle error = 0.5\n"
                               "end\n");
+  GearPairOptions other = paper::options();
+  other.gear.blank.hand = Hand::automatic;
+  check("the gear's hand follows from the pinion's",
+        other.completed().gear.blank.hand == Hand::left);
   check("words arrive",
         options.pinion.blank.teeth == 29 && options.pinion.blank.hand == Hand::left);
   check_close("angle", options.pinion.blank.face_angle, 20.5 * degree, 1e-15);

@@ -38,15 +38,32 @@ namespace vfife
     return choices;
   }
 
-  const char *name_of(const Hand hand)
+  const Choices<Hand> &hand_choices_or_auto()
   {
-    return hand == Hand::left ? "left" : "right";
+    static const Choices<Hand> choices = {{"auto", Hand::automatic},
+                                          {"right", Hand::right},
+                                          {"left", Hand::left}};
+    return choices;
+  }
+
+  std::string name_of(const Hand hand)
+  {
+    return word_of(hand, hand_choices_or_auto());
+  }
+
+  Hand opposite(const Hand hand)
+  {
+    return hand == Hand::left ? Hand::right : Hand::left;
   }
 
   void Blank::declare(dealii::ParameterHandler &prm)
   {
     declare_integer(prm, "number of teeth", teeth, "Number of teeth; 0: not given");
-    declare_choice(prm, "hand of spiral", hand, hand_choices(), "Hand of spiral");
+    declare_choice(prm,
+                   "hand of spiral",
+                   hand,
+                   hand_choices_or_auto(),
+                   "Hand of spiral; auto: opposite to the hand of the mating member");
     const auto declare_angle = [&](const char *name, double &angle, const char *meaning) {
       declare_quantity(prm, name, angle, "deg", meaning, Range::between(0., 90.));
     };

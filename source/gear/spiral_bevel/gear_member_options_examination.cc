@@ -41,14 +41,14 @@ namespace vfife
       void examine_hand() const
       {
         const bool left = blank_.hand == Hand::left;
-        if (left != (settings_.cradle_angle > 0.))
+        if (blank_.hand != Hand::automatic && left != (settings_.cradle_angle > 0.))
           findings_.add(Findings::Action::stop,
                         section_ + "cradle angle",
                         {blank_section_ + "hand of spiral"},
                         text_of("Cradle angle ",
                                 settings_.cradle_angle / degree,
                                 " deg cuts a ",
-                                name_of(left ? Hand::right : Hand::left),
+                                name_of(opposite(blank_.hand)),
                                 "-hand member, the blank is ",
                                 name_of(blank_.hand),
                                 "-hand"));

@@ -58,6 +58,10 @@ namespace vfife
     options.pinion = options.pinion.spread();
     options.gear   = options.gear.spread();
     Blank &blank1 = options.pinion.blank, &blank2 = options.gear.blank;
+    if (blank2.hand == Hand::automatic && blank1.hand != Hand::automatic)
+      blank2.hand = opposite(blank1.hand);
+    else if (blank1.hand == Hand::automatic && blank2.hand != Hand::automatic)
+      blank1.hand = opposite(blank2.hand);
     if (blank1.teeth > 0 && blank2.teeth > 0)
       {
         // pitch angles from the numbers of teeth

@@ -116,7 +116,9 @@ namespace vfife
       findings.add(Findings::Action::stop,
                    section + (pinion_fits ? "/Gear" : "/Pinion") + "/Blank/hand of spiral",
                    {},
-                   text_of("pinion and gear have the same hand of spiral, ", name_of(hand)));
+                   hand == Hand::automatic
+                     ? "is missing. Set it for the pinion or the gear"
+                     : text_of("pinion and gear have the same hand of spiral, ", name_of(hand)));
     }
 
     /** Tip of one member against root of the other: clearance, and whether it is the same along the

@@ -54,7 +54,7 @@ namespace vfife
       pinion.teeth       = p.pinion_teeth;
       gear.teeth         = p.gear_teeth;
       pinion.hand        = p.pinion_hand;
-      gear.hand          = p.pinion_hand == Hand::left ? Hand::right : Hand::left;
+      gear.hand          = opposite(p.pinion_hand);
       pinion.pitch_angle = pitch_angle_of(p.pinion_teeth, p.gear_teeth, shaft_angle);
       gear.pitch_angle   = pitch_angle_of(p.gear_teeth, p.pinion_teeth, shaft_angle);
       const double outer = p.module * p.gear_teeth / (2. * std::sin(gear.pitch_angle));

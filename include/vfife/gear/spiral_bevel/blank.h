@@ -18,6 +18,7 @@ namespace vfife
 
   enum class Hand
   {
+    automatic, ///< opposite to that of the mating member
     right,
     left
   };
@@ -25,15 +26,18 @@ namespace vfife
   /** "right", "left". */
   const Choices<Hand> &hand_choices();
 
-  /** "right" or "left". */
-  const char *name_of(Hand hand);
+  /** "auto", "right" or "left". */
+  std::string name_of(Hand hand);
+
+  /** Of right and left. */
+  Hand opposite(Hand hand);
 
   /** The turned blank of a spiral bevel gear: cones with a common apex, the origin of the body
    * frame.
    */
   struct Blank : BlankOutline
   {
-    Hand   hand         = Hand::right;
+    Hand   hand         = Hand::automatic;
     double spiral_angle = 0; ///< mean; 0: not given, the machine settings decide [rad]
 
     void declare(dealii::ParameterHandler &prm);
