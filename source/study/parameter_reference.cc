@@ -247,7 +247,7 @@ namespace vfife
                                               });
     }
 
-    /** Sections of both members, or of both flanks, become one under both paths. */
+    /** Equal sections, as of both members or both flanks, become one section with all paths. */
     void merge_alike(std::vector<Section> &sections)
     {
       for (auto section = sections.begin(); section != sections.end(); ++section)

@@ -102,7 +102,7 @@ namespace vfife
       return staying;
     }
 
-    /** What was read otherwise than it is written, or not at all. */
+    /** Warns of former names and states which sections the study ignores. */
     void log_reading(const ParameterFile &file, const OtherSections &others, Log &log)
     {
       if (!file.former_names().empty())

@@ -34,6 +34,9 @@ int main()
   show("subsection Model\n subsection Body disc\n  set bearing = yes\n  set cells z = 4\n end\n"
        " subsection Contact foot\n  set discretization = surface points\n end\nend\n"
        "subsection Output\n set history every = 30\nend\n");
+  // A file with both is one of a gear pair.
+  show("subsection Gear pair\n set mesh = coarse\nend\nsubsection Model\n set bodies =\nend\n"
+       "subsection Output\n set history every = 30\nend\n");
   // The same names elsewhere, and present names with present words.
   show("subsection Gear pair\n subsection Proposal\n  set pressure angle = 20 deg\n end\n"
        " subsection Errors\n  subsection Pinion\n   subsection Concave flank\n"

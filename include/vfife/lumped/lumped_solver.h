@@ -19,7 +19,7 @@ namespace vfife
   {
     unsigned int settling_meshes = 400; ///< before anything is measured
     unsigned int measured_meshes = 60;
-    unsigned int samples         = 64;   ///< a mesh cycle
+    unsigned int samples         = 64;   ///< per mesh cycle
     double       tolerance       = 1e-9; ///< of a step, relative to the static deflection
 
     void declare(dealii::ParameterHandler &prm);

@@ -19,7 +19,7 @@ namespace vfife
   };
 
   /**
-   * The elastic torque of a mesh cycle on the gear [N mm] over the compression s [rad of the gear]
+   * The elastic torque of the gear mesh on the gear [N mm] over the compression s [rad of the gear]
    * and the position x [mesh cycles]:
    *   M = k(x) s (k(x) s/T0)^(p(x) - 1),  s > 0;   0,  -b < s < 0;   -M(-(s + b)),  s < -b
    * with the secant stiffness k at the torque T0 and the backlash b (doc/theory/lumped.md).
@@ -41,7 +41,7 @@ namespace vfife
     double slope(double s, double x) const;
     /** Integral of M over s [mJ]. */
     double energy(double s, double x) const;
-    /** d energy/dx at constant s [mJ a mesh cycle]. */
+    /** d energy/dx at constant s [mJ per mesh cycle]. */
     double energy_slope(double s, double x) const;
     /** The compression under a positive torque [rad]. */
     double compression(double torque, double x) const;

@@ -134,6 +134,11 @@ namespace vfife
       {"Compare", "slow", "quasi-static speed limit", {}},
       {"Linear static/Adaptive refinement", "most steps", "maximum steps", {}}};
 
+    const std::map<std::string, std::string> removed_entries = {
+      {"penalty from step", "remove it: penalty is auto, or a number of N/mm^3"},
+      {"penalty fraction", "remove it: penalty is auto, or a number of N/mm^3"},
+      {"regularization velocity", "remove it: friction sticks elastically"}};
+
     bool is_section(const std::string &section, const std::string &pattern)
     {
       if (pattern == "*" || pattern == section)
@@ -185,17 +190,21 @@ namespace vfife
 
   std::vector<std::string> replace_former_names(std::vector<ParameterStatement> &statements)
   {
-    const bool has_model =
-      std::any_of(statements.begin(), statements.end(), [](const ParameterStatement &statement) {
-        return statement.top_section() == "Model";
-      });
+    const auto contains = [&statements](const std::string &section) {
+      return std::any_of(statements.begin(),
+                         statements.end(),
+                         [&section](const ParameterStatement &statement) {
+                           return statement.top_section() == section;
+                         });
+    };
+    // as make_case() decides
+    const CaseKind kind =
+      contains("Model") && !contains("Gear pair") ? CaseKind::model : CaseKind::pair;
     std::vector<std::string> replaced;
     for (ParameterStatement &statement : statements)
       {
         const FormerName *const former =
-          statement.opens_section
-            ? nullptr
-            : find_former(statement, has_model ? CaseKind::model : CaseKind::pair);
+          statement.opens_section ? nullptr : find_former(statement, kind);
         if (former == nullptr)
           continue;
         const auto        word    = former->words.find(statement.value);
@@ -213,5 +222,11 @@ namespace vfife
                            (word != former->words.end() ? " = " + statement.value : "") + "\"");
       }
     return replaced;
+  }
+
+  std::string find_instead_of(const std::string &name)
+  {
+    const auto found = removed_entries.find(name);
+    return found == removed_entries.end() ? "" : found->second;
   }
 } // namespace vfife

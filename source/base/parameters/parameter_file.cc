@@ -76,12 +76,6 @@ namespace vfife
       return nearest;
     }
 
-    /** Entries of earlier versions, and what to write instead. */
-    const std::vector<std::pair<std::string, std::string>> former_entries = {
-      {"penalty from step", "remove it: penalty is auto, or a number of N/mm^3"},
-      {"penalty fraction", "remove it: penalty is auto, or a number of N/mm^3"},
-      {"regularization velocity", "remove it: friction sticks elastically"}};
-
     /**
      * Throws for an entry that is not declared in @p section, with the most helpful hint there is.
      */
@@ -89,10 +83,9 @@ namespace vfife
                                    const DeclaredSection    &section,
                                    const DeclaredSection    &top)
     {
-      for (const auto &[name, instead] : former_entries)
-        if (statement.name == name)
-          throw InputError(statement.place + ": \"" + name +
-                           "\" is an entry of earlier versions; " + instead);
+      if (const std::string instead = find_instead_of(statement.name); !instead.empty())
+        throw InputError(statement.place + ": \"" + statement.name +
+                         "\" is an entry of earlier versions; " + instead);
       const std::vector<std::string> known = section.entry_names();
       const std::string              hint  = did_you_mean(statement.name, known);
       std::string message = statement.place + ": \"" + statement.name + "\" is not an entry of " +

@@ -15,6 +15,10 @@ namespace vfife
    * @throws InputError where one file sets an entry by both names.
    */
   std::vector<std::string> replace_former_names(std::vector<ParameterStatement> &statements);
+
+  /** Advice for an entry of earlier versions that has no successor, "remove it: ..."; empty for
+   * other names. */
+  std::string find_instead_of(const std::string &name);
 } // namespace vfife
 
 #endif

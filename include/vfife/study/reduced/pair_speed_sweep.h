@@ -47,7 +47,7 @@ namespace vfife
     PairSpeedSweepOptions options;
     double                cutoff  = 0; ///< that of the bodies [Hz]
     double                damping = 0; ///< of the momentum [1/s]
-    unsigned int          samples = 0; ///< in a mesh cycle
+    unsigned int          samples = 0; ///< per mesh cycle
 
     std::optional<EdgesUnderLoad> edges; ///< that may carry; none: not looked for
 

@@ -24,7 +24,7 @@ namespace vfife
     largest_size,      ///< of the absolute values
     peak_to_peak,      ///< largest less smallest
     periodic_share,    ///< part of the variance that repeats with the mesh cycle [-]
-    trend,             ///< slope of the meshes' means by least squares [a mesh cycle]
+    trend,             ///< slope of the meshes' means by least squares [per mesh cycle]
     change,            ///< last over first, minus one [-]
     mean_above_half,   ///< mean over the time in which the column is above half its largest value
     time_above_half,   ///< that time, its ends interpolated [s]

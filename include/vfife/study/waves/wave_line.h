@@ -94,7 +94,7 @@ namespace vfife
   Table make_wave_motion_table();
   void  add_wave_motions(const WaveLine &line, Table &table);
 
-  /** waves_build_up.csv: a row a mesh cycle and solver at the speed nearest to each line. */
+  /** waves_build_up.csv: a row per mesh cycle and solver at the speed nearest to each line. */
   Table make_build_up_table();
   void  add_build_up(const WaveLine &line, Table &table);
 

@@ -16,8 +16,8 @@ namespace vfife
   struct WaveSchedule
   {
     double       speed           = 0; ///< of the driver [rad/s]
-    unsigned int steps           = 0; ///< in a mesh cycle
-    unsigned int samples         = 0; ///< in a mesh cycle, a divisor of the steps
+    unsigned int steps           = 0; ///< per mesh cycle
+    unsigned int samples         = 0; ///< per mesh cycle, a divisor of the steps
     unsigned int settling_meshes = 0;
     unsigned int counted_meshes  = 0;
 
