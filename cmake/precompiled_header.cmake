@@ -2,7 +2,7 @@
 # deal.II's triangulation takes 4 s to parse: the library gets it precompiled (once 15 s), and so do
 # the tests of folders that see meshes. The others' programs do not pay for loading it.
 
-set(folders_with_meshes mesh model fem reduced study)
+set(folders_with_meshes mesh model fem plugin reduced study)
 
 target_precompile_headers(
   vfife

@@ -39,7 +39,27 @@ namespace vfife
           nodes[i] = cell->vertex_index(i);
         elements_.push_back(nodes);
       }
+    compute_masses();
+  }
 
+  Body::Body(std::string                               name,
+             std::vector<Material>                     materials,
+             std::vector<Vector3>                      nodes,
+             std::vector<std::array<std::uint32_t, 8>> elements,
+             std::unique_ptr<BodyMesh>                 parts)
+    : name_(std::move(name))
+    , mesh_(std::move(parts))
+    , materials_(std::move(materials))
+    , node_positions_(std::move(nodes))
+    , elements_(std::move(elements))
+  {
+    if (mesh_->structure.elements_per_sector() == 0)
+      mesh_->structure = BodyStructure(1, n_nodes(), n_elements());
+    compute_masses();
+  }
+
+  void Body::compute_masses()
+  {
     node_masses_.assign(n_nodes(), 0.);
     for (unsigned int e = 0; e < n_elements(); ++e)
       {

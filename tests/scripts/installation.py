@@ -13,7 +13,7 @@ from pathlib import Path
 CMAKE, BUILD = sys.argv[1:]
 ROOT = Path(__file__).resolve().parents[2]
 INSTALLED = ("bin/vfife", "bin/vfife-study", "lib*/**/libvfife.a", "lib*/**/vfifeConfig.cmake", "include/vfife/base/types.h",
-             "include/vfife/revision.h", "lib/python3/dist-packages/vfife/__init__.py", "share/vfife/report/make_report.py",
+             "include/vfife/revision.h", "include/vfife/plugin/explicit_solid.h", "share/vfife/examples/dealii_plugin/impact.cc", "lib/python3/dist-packages/vfife/__init__.py", "share/vfife/report/make_report.py",
              "share/vfife/prm/spiral_bevel_quick.prm", "share/vfife/prm/errors/pitch_error.csv",
              "share/vfife/meshes/plate_with_hole.msh", "share/vfife/examples/proposed_pair.py",
              "share/vfife/examples/quieter_pair.py", "share/doc/vfife/README.md", "share/doc/vfife/copyright", "share/doc/vfife/doc/getting-started/first-run.md",

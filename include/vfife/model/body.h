@@ -53,6 +53,13 @@ namespace vfife
      * Throws InputError naming the first inverted element. */
     Body(std::string name, std::vector<Material> materials, std::unique_ptr<BodyMesh> mesh);
     Body(std::string name, std::unique_ptr<BodyMesh> mesh, const Material &material);
+    /** The same of plain @p nodes [mm] and right-handed @p elements: the triangulation of @p parts
+     * is empty, its surfaces, node sets and materials name these nodes and elements. */
+    Body(std::string                               name,
+         std::vector<Material>                     materials,
+         std::vector<Vector3>                      nodes,
+         std::vector<std::array<std::uint32_t, 8>> elements,
+         std::unique_ptr<BodyMesh>                 parts);
     Body(Body &&) noexcept;
     ~Body();
 
@@ -135,6 +142,8 @@ namespace vfife
     unsigned int         first_element = 0;
 
   private:
+    void compute_masses();
+
     std::string                               name_;
     std::unique_ptr<BodyMesh>                 mesh_;
     std::vector<Material>                     materials_;

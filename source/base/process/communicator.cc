@@ -25,8 +25,9 @@ namespace vfife
 
   Communicator::Communicator(const MPI_Comm comm)
     : comm_(comm)
-    , rank_(mpi::this_mpi_process(comm))
-    , size_(mpi::n_mpi_processes(comm))
+    // A process by itself needs no MPI_Init(): programs on the library may be without.
+    , rank_(comm == MPI_COMM_SELF ? 0 : mpi::this_mpi_process(comm))
+    , size_(comm == MPI_COMM_SELF ? 1 : mpi::n_mpi_processes(comm))
   {
   }
 
@@ -162,7 +163,8 @@ namespace vfife
 
   void Communicator::wait(std::vector<MPI_Request> &requests)
   {
-    MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+    if (!requests.empty())
+      MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
   }
 
   std::vector<char> Communicator::gather_bytes(const void *data, const std::size_t n_bytes) const
