@@ -57,7 +57,7 @@ struct Bar
                                                side,
                                                Functions::ZeroFunction<3>(3),
                                                constraints,
-                                               ComponentMask({false, side<4, side> 3}));
+                                               ComponentMask({false, side <= 3, side >= 4}));
     constraints.close();
     solid =
       std::make_unique<ExplicitSolid>(dof_handler,
