@@ -25,7 +25,7 @@ if(python_module)
   # Its module is for one version of Python.
   string(APPEND CPACK_DEBIAN_PACKAGE_DEPENDS ", ${python_versions}")
 endif()
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-matplotlib, python3-jinja2, python3-meshio")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-matplotlib, python3-jinja2, python3-meshio, python3-h5py")
 # For programs of one's own with the library (find_package(vfife)).
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
     "libdeal.ii-dev, libeigen3-dev, libboost-program-options-dev, libboost-serialization-dev, nlohmann-json3-dev, cmake, python3-pandas, bash-completion"

@@ -8,7 +8,7 @@ required_packages=(g++ cmake make perl git python3 ninja-build libdeal.ii-dev li
   libboost-program-options-dev libboost-serialization-dev nlohmann-json3-dev openmpi-bin numdiff)
 # Faster BLAS, compiling and linking, the report, the check of docstrings: done without where they cannot be had.
 wanted_packages=(libopenblas0-pthread ccache mold python3-numpy python3-matplotlib python3-jinja2
-  python3-meshio doxygen)
+  python3-meshio python3-h5py doxygen)
 # Wanted by ./check only: CalculiX (ccx), which reads exported meshes in a test; what Python's module _vfife is built of.
 # shellcheck disable=SC2034
 check_packages=(calculix-ccx pybind11-dev python3-dev)

@@ -6,6 +6,8 @@
 #include <vfife/model/transmission.h>
 #include <vfife/output/output_options.h>
 
+#include <deal.II/base/config.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,6 +20,13 @@ namespace vfife
       static const Choices<Verbosity> choices = {{"quiet", Verbosity::quiet},
                                                  {"normal", Verbosity::normal},
                                                  {"detailed", Verbosity::detailed}};
+      return choices;
+    }
+
+    const Choices<FieldFormat> &field_formats()
+    {
+      static const Choices<FieldFormat> choices = {{"vtu", FieldFormat::vtu},
+                                                   {"hdf5", FieldFormat::hdf5}};
       return choices;
     }
 
@@ -60,6 +69,12 @@ namespace vfife
                      (of_model ? "samples of the histories" : "mesh cycles, such as 0.25") +
                      "; 0: no field files",
                    Range::not_negative());
+    declare_choice(prm,
+                   "field format",
+                   field_format,
+                   field_formats(),
+                   "Files of the fields: vtu: fields.pvd with one .vtu file per time; hdf5: "
+                   "fields.xdmf with all times in fields.h5, the elements once");
     declare_integer(prm,
                     "tracked mesh harmonics",
                     mesh_orders,
@@ -111,6 +126,11 @@ namespace vfife
     if (!(fields_every >= 0) || !std::isfinite(fields_every))
       throw InputError(section + "/field output interval",
                        "must be a number of mesh cycles or samples, 0 for none");
+#ifndef DEAL_II_WITH_HDF5
+    if (field_format == FieldFormat::hdf5)
+      throw InputError(section + "/field format",
+                       "expected vtu, got hdf5, which requires a deal.II with HDF5. Set vtu");
+#endif
     if (!(checkpoint_every >= 0) || !std::isfinite(checkpoint_every))
       throw InputError(section + "/checkpoint interval",
                        "must be a wall time in seconds, 0 for none");

@@ -109,9 +109,11 @@ namespace vfife
     if (outcome.exit_code == 0)
       log.line(last_line(outcome.text));
     else if (lacks_something(outcome))
-      log.line("no pictures: python3 with numpy, matplotlib, Jinja2 and meshio is required (",
-               last_line(outcome.text),
-               ")");
+      log.line(
+        "no pictures: python3 with numpy, matplotlib, Jinja2, meshio and, for fields in HDF5, "
+        "h5py is required (",
+        last_line(outcome.text),
+        ")");
     else
       log.line("not all pictures could be drawn: ", last_line(outcome.text));
   }

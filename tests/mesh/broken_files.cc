@@ -149,11 +149,48 @@ namespace
     read("ucd", "8 1 0\n");
     read("ucd", ucd + "1 1 hex 1 2 3 4 5 6 7 8\n2 1 hex 1 2 3 4 5 6 7 8\n");
   }
+
+  /** By deal.II's readers: whatever they throw is one line. */
+  void read_files_by_dealii()
+  {
+    const std::string corners = "0 1 1 11\n0 0 0\n1 1 1 11\n1 0 0\n2 1 1 11\n1 1 0\n3 1 1 11\n"
+                                "0 1 0\n4 1 1 11\n0 0 1\n5 1 1 11\n1 0 1\n6 1 1 11\n1 1 1\n"
+                                "7 1 1 11\n0 1 1\n-1\n";
+    const std::string start   = "-1\n2411\n" + corners + "-1\n2412\n";
+    const std::string cube    = "1 115 1 1 7 8\n0 1 2 3 4 5 6 7\n";
+    read("unv", start + cube + "-1\n");
+    read("unv", start + cube);
+    read("unv", start + "-1\n");
+    read("unv", "");
+    read("unv", "\x7f\x01 no mesh\n");
+    read("unv", "-1\n2411\n" + corners);
+    read("unv", start + "1 111 1 1 7 4\n0 1 2 4\n-1\n");
+    read("unv", start + cube + "2 111 1 1 7 4\n0 1 2 4\n-1\n");
+    read("unv", start + "1 115 1 1 7 8\n0 1 2 3 4 5 6 99\n-1\n");
+    read("unv", start + "1 115 1 1 7 8\n0 1 2 3 5 4 7 6\n-1\n");
+    read("unv",
+         start + cube + "2 44 1 1 7 4\n0 2 6 4\n-1\n-1\n2467\n1 0 0 0 0 0 0 1\n7\n8 2 0 0\n-1\n");
+    read("unv", start + cube + "-1\n-1\n2467\n1 0 0 0 0 0 0 999999999\n7\n8 1 0 0\n");
+    const std::string head = "xda\n1 # elements\n8 # nodes\n8\n0\n0\n1\n8\n1\nId\nTitle\n";
+    const std::string box  = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n";
+    read("xda", head + "0 1 2 3 4 5 6 7\n" + box);
+    read("xda", head + "0 1 2 3 4 5 6 8\n" + box);
+    read("xda", head + "0 1 2 3 4 5 6 7\n0 0 0\n");
+    read("xda", head + "0 1 2 4\n" + box);
+    read("xda", "xda\n4000000000\n4000000000\n");
+    read("xda", "");
+    read("vtu", "<VTKFile type=\"UnstructuredGrid\"></VTKFile>");
+    read("vtu", "<VTKFile><dealiiData encoding=\"base64\">AAAA\n</dealiiData></VTKFile>");
+    read("vtu", "no mesh");
+    for (const char *end : {"mphtxt", "dat", "dbmesh", "e", "stl", "tar.unv2"})
+      read(end, "");
+  }
 } // namespace
 
 int main()
 {
   read_gmsh_files();
   read_other_files();
+  read_files_by_dealii();
   return 0;
 }

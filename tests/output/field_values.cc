@@ -209,7 +209,8 @@ int main(int argc, char **argv)
   const OutputFolder folder(folder_name, session.world());
   const Model        model = make_model();
   const State        state = make_state(model);
-  FieldWriter        writer(folder, model, 50, StiffnessKind::incompatible_modes, FrameKind::polar);
+  FieldWriter        writer(
+    folder, model, FieldFormat::vtu, 50, StiffnessKind::incompatible_modes, FrameKind::polar);
   writer.observe(model, state);
   check_values(model, VtuFile(folder.file("fields/00000.vtu")));
   return 0;

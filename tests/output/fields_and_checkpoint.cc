@@ -143,7 +143,8 @@ namespace
   {
     for (std::size_t i = 0; i < state.partition->n_local(); ++i)
       state.contact_force.set(i, Vector3::UnitX());
-    FieldWriter writer(folder, model, 50, StiffnessKind::incompatible_modes, FrameKind::polar);
+    FieldWriter writer(
+      folder, model, FieldFormat::vtu, 50, StiffnessKind::incompatible_modes, FrameKind::polar);
     check("fields: due", writer.due(state) || !folder.is_writer());
     writer.observe(model, state);
     state.time += 1e-3;

@@ -17,6 +17,13 @@ namespace vfife
 {
   struct Transmission;
 
+  /** Files of fields at instants. */
+  enum class FieldFormat
+  {
+    vtu, ///< a file an instant (and rank)
+    hdf5 ///< one file, with XDMF beside it
+  };
+
   /** "0", "2", "3"... as numbers of nodal diameters. Throws InputError for what is none. */
   std::vector<unsigned int> parse_diameters(const std::vector<std::string> &texts);
 
@@ -28,7 +35,8 @@ namespace vfife
     /** Samples per mesh cycle; of a model: steps per sample. */
     unsigned int history_every = 50;
     /** Mesh cycles (of a model: samples) between field files, 0: none. */
-    double fields_every = 5;
+    double      fields_every = 5;
+    FieldFormat field_format = FieldFormat::vtu;
     /** Orders of the gear mesh that are tracked where the speed changes, 0: none; and mesh cycles
      * in a window. */
     unsigned int mesh_orders = 5, order_window = 8;

@@ -265,11 +265,14 @@ namespace vfife
   void check_elements(const std::string &path, const FileMesh &mesh)
   {
     const auto refuse = [&](const unsigned int element, const std::string &message) {
-      throw InputError(path + ":" + std::to_string(mesh.element_lines[element]) + ": element " +
+      const unsigned int line = mesh.element_lines[element];
+      throw InputError(path + (line == 0 ? "" : ":" + std::to_string(line)) + ": element " +
                        std::to_string(element + 1) + " (in the order of the file) " + message);
     };
     const auto line_of = [&](const unsigned int element) {
-      return "that of line " + std::to_string(mesh.element_lines[element]);
+      const unsigned int line = mesh.element_lines[element];
+      return line == 0 ? "element " + std::to_string(element + 1)
+                       : "that of line " + std::to_string(line);
     };
     // Nodes before volumes: with one node twice the volume may still be positive.
     const auto points = points_of(mesh);

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,7 @@ namespace vfife
 
     std::vector<Vector3>        nodes;
     std::vector<CellNodes>      elements;      ///< lexicographic
-    std::vector<unsigned int>   element_lines; ///< of the file, for messages
+    std::vector<unsigned int>   element_lines; ///< of the file, for messages; 0: not known
     std::vector<Group>          node_sets;     ///< of nodes
     std::vector<Surface>        surfaces;
     std::vector<Group>          regions;        ///< of elements
@@ -92,6 +93,19 @@ namespace vfife
 
   /** Reads AVS' unstructured cell data (read_body()). */
   FileMesh read_ucd(const std::string &path);
+
+  /** Ends of the names of files that read_by_dealii() reads. */
+  std::vector<std::string> dealii_formats();
+
+  /** Reads a file by dealii::GridIn (read_body()); nothing where the end of its name is of no
+   * format. Throws InputError also for formats of which deal.II reads no hexahedra, and in place of
+   * all that deal.II throws. */
+  std::optional<FileMesh> read_by_dealii(const std::string &path);
+
+  /** Active cells, boundary and material ids of a triangulation, as make_body() names them; begins
+   * messages with @p path. */
+  FileMesh collect_file_mesh(const std::string              &path,
+                             const dealii::Triangulation<3> &triangulation);
 } // namespace vfife
 
 #endif

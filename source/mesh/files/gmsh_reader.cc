@@ -5,7 +5,6 @@
 
 #include "file_mesh.h"
 #include "mesh_text.h"
-#include "mesh_writers.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -68,7 +68,7 @@ namespace vfife
                                             {"vtk", &read_vtk},
                                             {"ucd", &read_inp_or_ucd}};
 
-    FileMesh read_file(const std::string &path, const std::vector<std::string> &regions)
+    FileMesh read_file(const std::string &path)
     {
       if (!std::ifstream(path) || std::filesystem::is_directory(path))
         throw InputError("mesh file " + path + " cannot be opened");
@@ -78,17 +78,13 @@ namespace vfife
       for (const auto &format : read_formats)
         {
           if (format.first == end)
-            {
-              FileMesh mesh = format.second(path);
-              if (!regions.empty())
-                mesh.keep_regions(path, regions);
-              if (!mesh.names_without_case) // Abaqus refuses them
-                turn_inside_out(mesh);
-              check_elements(path, mesh);
-              return mesh;
-            }
+            return format.second(path);
           ends.push_back("." + format.first);
         }
+      if (auto mesh = read_by_dealii(path))
+        return *std::move(mesh);
+      for (const std::string &format : dealii_formats())
+        ends.push_back("." + format);
       throw InputError("mesh file " + path + ": expected a name that ends in one of " +
                        list_of(ends));
     }
@@ -223,43 +219,60 @@ namespace vfife
               << ". Stresses there are inaccurate. Improve the mesh";
       mesh.warnings.push_back(message.str());
     }
+
+    /** The body of what stands in a file, of @p regions alone where there are any. */
+    std::unique_ptr<BodyMesh>
+    build_body(const std::string &path, FileMesh file, const std::vector<std::string> &wanted)
+    {
+      // 1. What a body can consist of, cells in deal.II's order of edges.
+      if (!wanted.empty())
+        file.keep_regions(path, wanted);
+      if (!file.names_without_case) // Abaqus refuses them
+        turn_inside_out(file);
+      check_elements(path, file);
+      orient(path, file);
+
+      auto mesh                = std::make_unique<BodyMesh>();
+      mesh->name               = path.substr(path.rfind('/') + 1);
+      mesh->names_without_case = file.names_without_case;
+      mesh->warnings           = file.warnings;
+      mesh->notes              = file.notes;
+      // 2. Regions are numbered from 1; an element belongs to the first one that has it.
+      std::vector<unsigned int> regions(file.elements.size(), 0);
+      for (unsigned int i = 0; i < file.regions.size(); ++i)
+        {
+          mesh->regions[i + 1] = file.regions[i].name;
+          for (const unsigned int element : file.regions[i].members)
+            if (regions[element] == 0)
+              regions[element] = i + 1;
+        }
+      try
+        {
+          create_triangulation(*mesh, file.nodes, file.elements, regions);
+        }
+      catch (const dealii::ExceptionBase &)
+        {
+          throw InputError(path + ": the hexahedra cannot be joined to a mesh");
+        }
+
+      // 3. Named parts, and how good the elements are.
+      add_node_sets(file, *mesh);
+      add_surfaces(path, file, *mesh);
+      check_shapes(path, *mesh);
+      return mesh;
+    }
   } // namespace
 
   std::unique_ptr<BodyMesh> read_body(const std::string              &path,
-                                      const std::vector<std::string> &regions_wanted)
+                                      const std::vector<std::string> &regions)
   {
-    // 1. What stands in the file, cells in deal.II's order of edges.
-    FileMesh file = read_file(path, regions_wanted);
-    orient(path, file);
+    return build_body(path, read_file(path), regions);
+  }
 
-    auto mesh                = std::make_unique<BodyMesh>();
-    mesh->name               = path.substr(path.rfind('/') + 1);
-    mesh->names_without_case = file.names_without_case;
-    mesh->warnings           = file.warnings;
-    mesh->notes              = file.notes;
-    // 2. Regions are numbered from 1; an element belongs to the first one that has it.
-    std::vector<unsigned int> regions(file.elements.size(), 0);
-    for (unsigned int i = 0; i < file.regions.size(); ++i)
-      {
-        mesh->regions[i + 1] = file.regions[i].name;
-        for (const unsigned int element : file.regions[i].members)
-          if (regions[element] == 0)
-            regions[element] = i + 1;
-      }
-    try
-      {
-        create_triangulation(*mesh, file.nodes, file.elements, regions);
-      }
-    catch (const dealii::ExceptionBase &)
-      {
-        throw InputError(path + ": the hexahedra cannot be joined to a mesh");
-      }
-
-    // 3. Named parts, and how good the elements are.
-    add_node_sets(file, *mesh);
-    add_surfaces(path, file, *mesh);
-    check_shapes(path, *mesh);
-    return mesh;
+  std::unique_ptr<BodyMesh> make_body(const std::string              &name,
+                                      const dealii::Triangulation<3> &triangulation)
+  {
+    return build_body(name, collect_file_mesh(name, triangulation), {});
   }
 
   CoincidentNodes find_coincident_nodes(const BodyMesh &mesh)

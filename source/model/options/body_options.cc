@@ -66,7 +66,8 @@ namespace vfife
           "file",
           file,
           "Mesh file of 8-node hexahedra, lengths in mm: .msh (Gmsh), .inp (Abaqus, "
-          "CalculiX), .vtk, .ucd. Its named groups become node sets and surfaces. A "
+          "CalculiX), .vtk, .ucd, .unv (I-DEAS, Salome), .xda, .vtu (deal.II). Its named groups "
+          "become node sets and surfaces. A "
           "relative name starts at the folder of the parameter file");
         declare_names(
           prm,

@@ -48,6 +48,8 @@ namespace vfife
                                                   ".pvd",
                                                   ".vtu",
                                                   ".pvtu",
+                                                  ".xdmf",
+                                                  ".h5",
                                                   ".mtx",
                                                   ".svg",
                                                   ".png",

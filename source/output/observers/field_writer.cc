@@ -12,9 +12,12 @@
 #include <vfife/output/measures/body_motion.h>
 #include <vfife/output/measures/node_stresses.h>
 #include <vfife/output/observers/field_writer.h>
+#include <vfife/output/observers/hdf5_fields.h>
 
 #include <deal.II/base/data_out_base.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <sstream>
@@ -23,6 +26,8 @@ namespace vfife
 {
   namespace
   {
+    constexpr char hdf5_name[] = "fields.h5";
+
     /** What a node shows: a row for each array of list_arrays(). */
     struct NodeValues
     {
@@ -80,19 +85,27 @@ namespace vfife
       return values;
     }
 
+    /** A rank's elements, and the model's numbers of their nodes in the order of the points. */
+    struct GridPart
+    {
+      VtuGrid                    grid = make_grid();
+      std::vector<std::uint32_t> nodes;
+    };
+
     /**
      * This rank's elements, which share their points, with what nodes show; @p stresses and @p
      * contact_areas are those of the model's nodes.
      */
-    VtuGrid fill_grid(const Model                              &model,
-                      const State                              &state,
-                      const std::vector<BodyMotion>            &motions,
-                      const std::vector<std::array<double, 6>> &stresses,
-                      const std::vector<double>                &contact_areas)
+    GridPart fill_part(const Model                              &model,
+                       const State                              &state,
+                       const std::vector<BodyMotion>            &motions,
+                       const std::vector<std::array<double, 6>> &stresses,
+                       const std::vector<double>                &contact_areas)
     {
       const Partition           &partition = *state.partition;
-      VtuGrid                    grid      = make_grid();
-      constexpr std::uint32_t    none      = -1;
+      GridPart                   part;
+      VtuGrid                   &grid = part.grid;
+      constexpr std::uint32_t    none = -1;
       std::vector<std::uint32_t> point_of(partition.n_local(), none);
       std::uint32_t              n_points = 0;
       std::size_t                b        = 0;
@@ -108,6 +121,7 @@ namespace vfife
         if (contact_areas[global] > 0 && !state.contact_force.empty())
           values.pressure = state.contact_force.value(local).norm() / contact_areas[global];
         add_values(values, grid.point_data);
+        part.nodes.push_back(global);
         point_of[local] = n_points++;
       };
       for (const std::uint32_t number : partition.elements)
@@ -130,6 +144,52 @@ namespace vfife
           grid.cell_data[1].values.push_back(
             static_cast<float>(body.structure().sector_of_element(element)));
         }
+      return part;
+    }
+
+    /** Values of all ranks, @p n_components at each of their @p places. Collective. */
+    std::vector<float> gather(const std::vector<float>         &values,
+                              const unsigned int                n_components,
+                              const std::vector<std::uint32_t> &places,
+                              const Communicator               &communicator)
+    {
+      const std::vector<float> all = communicator.all_gather(values);
+      std::vector<float>       placed(all.size());
+      std::uint32_t            n_places = 0;
+      for (std::size_t i = 0; i < places.size(); ++i)
+        {
+          std::copy_n(&all[n_components * i], n_components, &placed[n_components * places[i]]);
+          n_places = std::max(n_places, places[i] + 1);
+        }
+      placed.resize(n_components * std::size_t(n_places));
+      return placed;
+    }
+
+    /** The parts of all ranks as one: points and cells are nodes and elements of the model, however
+     * many ranks there are. Collective. */
+    VtuGrid join_parts(const GridPart                   &part,
+                       const std::vector<std::uint32_t> &elements,
+                       const Communicator               &communicator)
+    {
+      const auto nodes = communicator.all_gather(part.nodes),
+                 cells = communicator.all_gather(elements);
+      VtuGrid grid     = make_grid();
+      grid.points      = gather(part.grid.points, 3, nodes, communicator);
+      for (std::size_t i = 0; i < grid.point_data.size(); ++i)
+        grid.point_data[i].values = gather(part.grid.point_data[i].values,
+                                           grid.point_data[i].n_components,
+                                           nodes,
+                                           communicator);
+      for (std::size_t i = 0; i < grid.cell_data.size(); ++i)
+        grid.cell_data[i].values = gather(part.grid.cell_data[i].values, 1, cells, communicator);
+      std::vector<CellNodes> own = part.grid.cells;
+      for (CellNodes &cell : own)
+        for (unsigned int &corner : cell)
+          corner = part.nodes[corner];
+      const std::vector<CellNodes> all = communicator.all_gather(own);
+      grid.cells.resize(all.size());
+      for (std::size_t i = 0; i < all.size(); ++i)
+        grid.cells[cells[i]] = all[i];
       return grid;
     }
 
@@ -159,21 +219,27 @@ namespace vfife
 
   FieldWriter::FieldWriter(const OutputFolder &folder,
                            const Model        &model,
+                           const FieldFormat   format,
                            const std::uint64_t steps_between,
                            const StiffnessKind kind,
                            const FrameKind     frame)
-    : folder_(folder)
-    , steps_between_(steps_between)
-    , kind_(kind)
-    , frame_(frame)
-    , contact_areas_(compute_contact_areas(model))
+    : FieldWriter(folder, model, format)
   {
+    steps_between_ = steps_between;
+    kind_          = kind;
+    frame_         = frame;
   }
 
-  FieldWriter::FieldWriter(const OutputFolder &folder, const Model &model)
+  FieldWriter::FieldWriter(const OutputFolder &folder, const Model &model, const FieldFormat format)
     : folder_(folder)
+    , format_(format)
+    , n_nodes_(model.n_nodes())
+    , n_elements_(model.n_elements())
     , contact_areas_(compute_contact_areas(model))
   {
+    if (format == FieldFormat::hdf5 && !folder.is_on_disk())
+      throw InputError("Output/field format",
+                       "expected vtu for a study in memory, got hdf5. Set vtu");
   }
 
   bool FieldWriter::due(const State &state) const
@@ -197,19 +263,52 @@ namespace vfife
     // A resumed run goes on with the numbering, and its list names no file written after
     // the checkpoint.
     stream.pass(instants_);
-    if (stream.reads() && !instants_.empty())
-      {
-        folder_.make_subfolder("fields"); // it may have been removed
-        write_pvd();
-      }
+    if (stream.reads())
+      resume();
   }
 
-  void FieldWriter::write_pvd() const
+  void FieldWriter::resume()
   {
-    if (folder_.is_writer())
-      folder_.write_file("fields.pvd", [&](std::ostream &out) {
+    // Those of the other format stay as they are.
+    instants_.erase(std::remove_if(instants_.begin(),
+                                   instants_.end(),
+                                   [this](const auto &instant) {
+                                     return (instant.second == hdf5_name) !=
+                                            (format_ == FieldFormat::hdf5);
+                                   }),
+                    instants_.end());
+    if (format_ == FieldFormat::hdf5)
+      {
+        // The file may have been removed: then a new one begins.
+        const bool is_gone =
+          folder_.is_writer() && !std::filesystem::exists(folder_.file(hdf5_name));
+        if (folder_.communicator().any(is_gone))
+          instants_.clear();
+        else if (folder_.is_writer() && !instants_.empty())
+          remove_hdf5_instants(folder_.file(hdf5_name), instants_.size());
+      }
+    if (instants_.empty())
+      return;
+    if (format_ == FieldFormat::vtu)
+      folder_.make_subfolder("fields"); // it may have been removed
+    write_list();
+  }
+
+  void FieldWriter::write_list() const
+  {
+    if (!folder_.is_writer())
+      return;
+    if (format_ == FieldFormat::vtu)
+      return folder_.write_file("fields.pvd", [&](std::ostream &out) {
         dealii::DataOutBase::write_pvd_record(out, instants_);
       });
+    std::vector<double> times;
+    for (const auto &instant : instants_)
+      times.push_back(instant.first);
+    folder_.write_file("fields.xdmf", [&](std::ostream &out) {
+      out.precision(12);
+      write_xdmf(out, hdf5_name, make_grid(), n_nodes_, n_elements_, times);
+    });
   }
 
   void FieldWriter::observe(const Model &model, const State &state)
@@ -225,13 +324,30 @@ namespace vfife
                           const State                              &state,
                           const std::vector<std::array<double, 6>> &stresses)
   {
-    if (instants_.empty())
-      folder_.make_subfolder("fields");
     // What all ranks find together, then this rank's part of the mesh.
     const Communicator &communicator = folder_.communicator();
     const auto          motions      = compute_body_motions(model, state, communicator);
-    const VtuGrid       grid         = fill_grid(model, state, motions, stresses, contact_areas_);
+    const GridPart      part         = fill_part(model, state, motions, stresses, contact_areas_);
+    if (format_ == FieldFormat::vtu)
+      instants_.emplace_back(state.time, write_vtu_files(part.grid, state.time));
+    else
+      {
+        const VtuGrid grid = join_parts(part, state.partition->elements, communicator);
+        if (folder_.is_writer())
+          {
+            folder_.list_file(hdf5_name);
+            write_hdf5_instant(folder_.file(hdf5_name), grid, instants_.size(), state.time);
+          }
+        instants_.emplace_back(state.time, hdf5_name);
+      }
+    write_list();
+  }
 
+  std::string FieldWriter::write_vtu_files(const VtuGrid &grid, const double time) const
+  {
+    if (instants_.empty())
+      folder_.make_subfolder("fields");
+    const Communicator &communicator = folder_.communicator();
     // One rank: 00003.vtu. Several: a piece a rank, 00003.0.vtu..., and 00003.pvtu over them.
     std::ostringstream instant;
     instant << std::setw(5) << std::setfill('0') << instants_.size();
@@ -242,7 +358,7 @@ namespace vfife
     // Every rank writes its own piece; the first joins them by a .pvtu and lists the
     // instant in fields.pvd.
     folder_.write_file("fields/" + piece(communicator.rank()),
-                       [&](std::ostream &out) { write_vtu(out, grid, state.time); });
+                       [&](std::ostream &out) { write_vtu(out, grid, time); });
     std::string file = piece(0);
     if (communicator.size() > 1)
       {
@@ -255,7 +371,6 @@ namespace vfife
             write_pvtu(out, grid, pieces);
           });
       }
-    instants_.emplace_back(state.time, "fields/" + file);
-    write_pvd();
+    return "fields/" + file;
   }
 } // namespace vfife

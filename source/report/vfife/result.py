@@ -4,7 +4,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import NamedTuple
 
-from vfife_report.data.files import read_json
+from vfife_report.data.files import find_fields, read_json
 from vfife_report.data.parameters import read_parameters
 from vfife_report.data.table import Table
 
@@ -51,9 +51,9 @@ class Result:
 
     def fields(self):
         """Fields of the last instant: points (cells, 8, 3) in mm and fields["von mises"] at the cells' corners. Needs
-        meshio."""
+        meshio, for fields.h5 also h5py."""
         from vfife_report.data.fields import read_last_fields  # noqa: PLC0415
-        return read_last_fields(self._find("fields.pvd"))
+        return read_last_fields(self._find(find_fields(self.path).name))
 
     @property
     def tables(self):

@@ -8,8 +8,8 @@ make_report.py meridian [--body NAME] PICTURE DIR[=TITLE]...
                                     draws meridian sections from studies of kind `mesh`, a panel each
 
 DIR is the folder of one run or study, or a folder of such folders, whose variants are compared. Needs
-numpy, matplotlib, Jinja2 and meshio, no display. Exit codes: 0; 1 if not all could be done; 77 if one
-of these is missing.
+numpy, matplotlib, Jinja2 and meshio, and h5py for fields in HDF5; no display. Exit codes: 0; 1 if not
+all could be done; 77 if one of these is missing.
 """
 import argparse
 import logging
@@ -102,6 +102,9 @@ def main(arguments):
     logging.disable(logging.WARNING)
     try:
         asked.do(asked)
+    except ImportError as error:
+        print(error)
+        sys.exit(77)
     except Exception as error:  # of whatever kind: what is damaged shows in many ways
         if "VFIFE_REPORT_TRACE" in os.environ:
             raise

@@ -280,6 +280,10 @@ namespace vfife
         case_->check();
         dynamics_.check("Dynamics");
         output_.check("Output");
+        if (output_.field_format != FieldFormat::vtu)
+          throw InputError("Output/field format",
+                           "expected vtu, got hdf5. Kind linear static writes one .vtu file per "
+                           "body. Set vtu");
         options_.check();
         fem_.check("Fem");
         if (fem_.cyclic_symmetry)

@@ -71,13 +71,13 @@ namespace vfife
       Recorders(const Model         &model,
                 const FilletOptions &fillet_options,
                 OutputFolder        &folder,
-                const double         fields_every)
+                const OutputOptions &output)
         : probes(model)
         , supports(model)
         , pattern(model)
         , fillets(model, fillet_options)
         , parts(model)
-        , fields(folder, model, fields_every)
+        , fields(folder, model, output)
       {
       }
 
@@ -294,7 +294,7 @@ namespace vfife
       turns.push_back(position.meshes * pitch);
     // One factorization serves all positions: bodies stay as they are in turning axes.
     PairEquilibrium equilibrium(model, compliance, turns);
-    Recorders       recorders(model, fillets_, folder, output_.fields_every);
+    Recorders       recorders(model, fillets_, folder, output_);
     recorders.pressure             = make_pressure(model, compliance);
     LoadedPressure *const pressure = recorders.pressure.get();
     for (std::size_t i = 0; i < turns.size(); ++i)

@@ -24,12 +24,14 @@ namespace vfife
     }
   } // namespace
 
-  LoadedFields::LoadedFields(const OutputFolder &folder, const Model &model, const double every)
+  LoadedFields::LoadedFields(const OutputFolder  &folder,
+                             const Model         &model,
+                             const OutputOptions &output)
     : model_(model)
-    , writer_(folder, model)
-    , every_(every)
-    , next_(every > 0 ? -std::numeric_limits<double>::infinity()
-                      : std::numeric_limits<double>::infinity())
+    , writer_(folder, model, output.field_format)
+    , every_(output.fields_every)
+    , next_(every_ > 0 ? -std::numeric_limits<double>::infinity()
+                       : std::numeric_limits<double>::infinity())
   {
     // The first rank has all of the model.
     state_.partition =

@@ -347,7 +347,7 @@ namespace vfife
         write_bearing_curves(folder, model.bearings);
       }
     add_figures(list_damping(dynamics_, transmission, log), summary.figures);
-    stepping.add_fields(output_.compute_field_steps(transmission, dt), dynamics_);
+    stepping.add_fields(output_, dt, dynamics_);
     const double run_time = stepped.expect_run_time(stepping.state(), end_time / dt);
     foresee(model, stepped, run_time, communicator, log, summary);
     summary.cause = case_->find_cause();

@@ -104,8 +104,8 @@ namespace vfife
     Observers observers;
     observers.push_back(std::make_unique<HistoryWriter>(folder, model, 1));
     if (output_.fields_every > 0)
-      observers.push_back(
-        std::make_unique<FieldWriter>(folder, model, 1, dynamics_.stiffness, dynamics_.frame));
+      observers.push_back(std::make_unique<FieldWriter>(
+        folder, model, output_.field_format, 1, dynamics_.stiffness, dynamics_.frame));
     observers.push_back(std::make_unique<ContactWidthWatch>(folder, model, 1, log));
     return observers;
   }

@@ -49,10 +49,17 @@ namespace vfife
 
   Stepping::~Stepping() = default;
 
-  void Stepping::add_fields(const std::uint64_t steps, const DynamicsOptions &dynamics)
+  void Stepping::add_fields(const OutputOptions   &output,
+                            const double           dt,
+                            const DynamicsOptions &dynamics)
   {
-    auto fields =
-      std::make_unique<FieldWriter>(folder_, model_, steps, dynamics.stiffness, dynamics.frame);
+    auto fields = std::make_unique<FieldWriter>(
+      folder_,
+      model_,
+      output.field_format,
+      output.compute_field_steps(model_.transmission ? &*model_.transmission : nullptr, dt),
+      dynamics.stiffness,
+      dynamics.frame);
     // Kept beside the list of observers: a signal may ask it for a file.
     fields_ = fields.get();
     observers_.list().push_back(std::move(fields));

@@ -5,9 +5,11 @@
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/mesh/hexahedron_corners.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -224,6 +226,60 @@ namespace region_meshes
       }
   }
 
+  /** Groups with numbers as names, as Salome writes them; exponents as I-DEAS writes them. */
+  inline void write_unv(std::ostream &out, const Mesh &mesh)
+  {
+    out << "    -1\n   164\n 1 SI: Meter (newton) 2\n    -1\n    -1\n  2411\n";
+    for (unsigned int i = 0; i < mesh.nodes.size(); ++i)
+      {
+        std::ostringstream x;
+        x.precision(17);
+        x << std::scientific;
+        write_coordinates(x, mesh.nodes[i]);
+        std::string text = x.str();
+        std::replace(text.begin(), text.end(), 'e', 'D');
+        out << i + 1 << " 1 1 11\n" << text;
+      }
+    out << "    -1\n    -1\n  2412\n";
+    unsigned int                              n = 0;
+    std::map<long, std::vector<unsigned int>> groups;
+    for (const auto &[nodes, number] : mesh.faces)
+      {
+        groups[number].push_back(++n);
+        out << n << " 44 1 1 7 4\n";
+        write_nodes(out, nodes, 1);
+      }
+    for (const auto &[nodes, number] : mesh.elements)
+      {
+        groups[number].push_back(++n);
+        out << n << " 115 1 1 7 8\n";
+        write_nodes(out, in_order_of_files(nodes), 1);
+      }
+    out << "    -1\n    -1\n  2467\n";
+    for (const auto &[number, members] : groups)
+      {
+        out << number << " 0 0 0 0 0 0 " << members.size() << "\n" << number << "\n";
+        for (std::size_t i = 0; i < members.size(); ++i)
+          out << "8 " << members[i] << " 0 0"
+              << (i % 2 == 1 || i + 1 == members.size() ? "\n" : " ");
+      }
+    out << "    -1\n";
+  }
+
+  /** Without the groups: the format has no ids. */
+  inline void write_xda(std::ostream &out, const Mesh &mesh)
+  {
+    out << "DEAL 003:003\n"
+        << mesh.elements.size() << " # Num. Elements\n"
+        << mesh.nodes.size() << " # Num. Nodes\n"
+        << 8 * mesh.elements.size() << " # Sum of Element Weights\n0\n65536\n1\n8\n"
+        << mesh.elements.size() << "\nId String\nTitle String\n";
+    for (const auto &element : mesh.elements)
+      write_nodes(out, in_order_of_files(element.first), 0);
+    for (const Vector3 &x : mesh.nodes)
+      write_coordinates(out, x);
+  }
+
   /** In the format that the end of the name says; "gmsh4.msh": Gmsh 4.1. */
   inline void write(const std::string &path, const Mesh &mesh)
   {
@@ -234,6 +290,10 @@ namespace region_meshes
       write_vtk(out, mesh);
     else if (end == "ucd")
       write_ucd(out, mesh);
+    else if (end == "unv")
+      write_unv(out, mesh);
+    else if (end == "xda")
+      write_xda(out, mesh);
     else if (path.find("gmsh4") != std::string::npos)
       write_gmsh_4(out, mesh);
     else

@@ -17,13 +17,14 @@ namespace vfife
    *   .inp  Abaqus or CalculiX: C3D8 elements; NSET, ELSET, SURFACE (such as EB1, SS1) and 4-node
    *         shells by their ELSET; names have any case of letters. One that begins with numbers is
    *         UCD;
-   *   .vtk  VTK's legacy format, .ucd AVS: regions "region N", surfaces "boundary N" by their ids.
-   * Names are node sets: of the node set, else of the surface, else of the region that has the
-   * name. Surfaces are the faces that the file lists, with boundary ids 1, 2, ... in alphabetical
-   * order. doc/reference/mesh-formats.md states what each format may have, what is left out and
-   * what is refused. Throws InputError (one line with the file's name and line) when the file
-   * cannot be opened or read, has other volume elements than hexahedra, or hexahedra that are no
-   * mesh: inverted, twice the same, more than two at a face.
+   *   .vtk  VTK's legacy format, .ucd AVS: regions "region N", surfaces "boundary N" by their ids;
+   *   .unv  I-DEAS or Salome, .vtu of dealii::GridOut, .xda (without ids), .e Exodus: as
+   * make_body() by dealii::GridIn. Names are node sets: of the node set, else of the surface, else
+   * of the region that has the name. Surfaces are the faces that the file lists, with boundary ids
+   * 1, 2, ... in alphabetical order. doc/reference/mesh-formats.md states what each format may
+   * have, what is left out and what is refused. Throws InputError (one line with the file's name
+   * and line) when the file cannot be opened or read, has other volume elements than hexahedra, or
+   * hexahedra that are no mesh: inverted, twice the same, more than two at a face.
    *
    * With @p regions, names or numbers of the file, the body consists of these alone, with the node
    * sets and surfaces that they have: several bodies may be read from one file. Throws InputError
@@ -31,6 +32,14 @@ namespace vfife
    */
   std::unique_ptr<BodyMesh> read_body(const std::string              &path,
                                       const std::vector<std::string> &regions = {});
+
+  /**
+   * A body of a triangulation's active cells: material 3 is region "region 3", boundary id 2 is
+   * surface "boundary 2" (id 0: none). Throws InputError, which begins with @p name, for a mesh
+   * that is empty, has other cells than hexahedra, hanging nodes or inverted cells.
+   */
+  std::unique_ptr<BodyMesh> make_body(const std::string              &name,
+                                      const dealii::Triangulation<3> &triangulation);
 
   /** Nodes at the places of other nodes: where blocks of a mesh meet and have not been merged. */
   struct CoincidentNodes

@@ -5,6 +5,7 @@
 #include <vfife/element/frame_kind.h>
 #include <vfife/element/stiffness.h>
 #include <vfife/model/observer.h>
+#include <vfife/output/output_options.h>
 
 #include <array>
 #include <cstdint>
@@ -15,11 +16,13 @@
 namespace vfife
 {
   class OutputFolder;
+  struct VtuGrid;
 
   /**
    * Writes fields for ParaView: fields.pvd and, in the folder "fields", one .vtu a rank and instant
-   * (and a .pvtu over them on several ranks), compressed. The mesh is in its current place in the
-   * fixed frame [mm], so that gears turn.
+   * (and a .pvtu over them on several ranks), compressed; as hdf5 instead fields.xdmf and fields.h5
+   * (write_hdf5_instant()), nodes in the order of the model. The mesh is in its current place in
+   * the fixed frame [mm], so that gears turn.
    *
    * Point data:
    * - displacement [mm]: R^T (x - c) - (X - c), drawn along the turned axes (R times it), R being
@@ -39,17 +42,18 @@ namespace vfife
   public:
     /**
      * A file every @p steps_between steps (0: on request only); @p kind and @p frame as in the run,
-     * for stresses. Throws InputError where a contact pair names a surface that its body has not.
-     * Collective.
+     * for stresses. Throws InputError where a contact pair names a surface that its body has not,
+     * and for hdf5 without a folder on disk. Collective.
      */
     FieldWriter(const OutputFolder &folder,
                 const Model        &model,
+                FieldFormat         format,
                 std::uint64_t       steps_between,
                 StiffnessKind       kind,
                 FrameKind           frame);
 
     /** For write() alone. */
-    FieldWriter(const OutputFolder &folder, const Model &model);
+    FieldWriter(const OutputFolder &folder, const Model &model, FieldFormat format);
 
     bool        due(const State &state) const override;
     void        observe(const Model &model, const State &state) override;
@@ -68,9 +72,16 @@ namespace vfife
     void request();
 
   private:
-    void write_pvd() const;
+    /** fields.pvd or fields.xdmf. */
+    void write_list() const;
+    /** The name in the list of the .vtu files of @p grid, this rank's part. */
+    std::string write_vtu_files(const VtuGrid &grid, double time) const;
+    /** Leaves of an earlier run the instants that a resumed one goes on with. Collective. */
+    void resume();
 
     const OutputFolder &folder_;
+    FieldFormat         format_;
+    std::size_t         n_nodes_, n_elements_; ///< of the model
     std::uint64_t       steps_between_ = 0;
     bool                is_requested_  = false;
     StiffnessKind       kind_          = {};

@@ -19,8 +19,8 @@ namespace vfife
   class LoadedFields
   {
   public:
-    /** At the first position, then @p every so many mesh cycles; 0: none. */
-    LoadedFields(const OutputFolder &folder, const Model &model, double every);
+    /** At the first position, then every so many mesh cycles as @p output says; 0: none. */
+    LoadedFields(const OutputFolder &folder, const Model &model, const OutputOptions &output);
 
     /** After solve() of the equilibrium. @p position in mesh cycles stands for the time; @p
      * stresses by node of the model, axes of time zero. Collective. */

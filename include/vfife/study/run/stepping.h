@@ -51,8 +51,9 @@ namespace vfife
       return observers_;
     }
 
-    /** Adds the fields, a file every @p steps steps; 0: on SIGUSR1 only. */
-    void add_fields(std::uint64_t steps, const DynamicsOptions &dynamics);
+    /** Adds the fields as often as @p output says for a step of @p dt [s]; never: on SIGUSR1 only.
+     */
+    void add_fields(const OutputOptions &output, double dt, const DynamicsOptions &dynamics);
 
     State &state();
 

@@ -1,5 +1,5 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fields of a run: the .vtu files of the last instant that its .pvd names."""
+"""Fields of a run at its last instant: .vtu files that its .pvd names, or an HDF5 file."""
 import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass
 
@@ -58,16 +58,40 @@ def read_piece(path, ignored=frozenset()):
         raise DamagedFile(f"{path} is damaged: no grid can be read from it") from error
     if set(grid.cells_dict) - ignored != {"hexahedron"}:
         raise DamagedFile(f"{path} has cells that are no hexahedra")
-    corners = grid.cells_dict["hexahedron"]
-    if corners.size and not (0 <= corners.min() and corners.max() < len(grid.points)):
+    return spread(path, grid.points, grid.cells_dict["hexahedron"], grid.point_data,
+                  {name: values["hexahedron"] for name, values in grid.cell_data_dict.items()})
+
+
+def spread(path, points, corners, point_data, cell_data):
+    """Places and data at the corners of hexahedra."""
+    if corners.size and not (0 <= corners.min() and corners.max() < len(points)):
         raise DamagedFile(f"{path} is damaged: cells have corners that are not there")
-    if not np.all(np.isfinite(grid.points)):
+    if not np.all(np.isfinite(points)):
         raise DamagedFile(f"{path} is damaged: coordinates are no numbers")
     # "von mises [MPa]"; versions before wrote names alone.
-    data = {name.partition(" [")[0]: np.asarray(values, dtype=float)[corners] for name, values in grid.point_data.items()}
-    for name, values in grid.cell_data_dict.items():
-        data[name] = np.repeat(np.asarray(values["hexahedron"], dtype=float)[:, None], 8, axis=1)
-    return np.asarray(grid.points, dtype=float)[corners], data
+    data = {name.partition(" [")[0]: np.asarray(values, dtype=float)[corners] for name, values in point_data.items()}
+    for name, values in cell_data.items():
+        data[name] = np.repeat(np.asarray(values, dtype=float)[:, None], 8, axis=1)
+    return np.asarray(points, dtype=float)[corners], data
+
+
+def read_hdf5(path):
+    """Fields of the last instant of an HDF5 file; None if it has none. ImportError without h5py."""
+    try:
+        import h5py  # noqa: PLC0415 - for those who have such files
+    except ImportError as error:
+        raise ImportError(f"{path} requires h5py (Debian: python3-h5py)") from error
+    try:
+        with h5py.File(path, "r") as file:
+            last = max(file["instants"].values(), key=lambda instant: instant.attrs["time"], default=None)
+            if last is None:
+                return None
+            data = {name: values[:] for name, values in last.items()}
+            mesh = {name: values[:] for name, values in file["mesh"].items()}
+            time = float(last.attrs["time"])
+        return Fields(*spread(path, data.pop("points"), mesh.pop("cells"), data, mesh), time)
+    except (IndexError, KeyError, OSError, RuntimeError, ValueError) as error:  # h5py trusts the file
+        raise error if isinstance(error, DamagedFile) else DamagedFile(f"{path} is damaged") from error
 
 
 def read_meshes(path):
@@ -88,8 +112,10 @@ def read_fields_of_bodies(paths):
 
 
 def read_last_fields(pvd):
-    """Fields of the last instant that a .pvd names; None if it names none or they are empty. DamagedFile
+    """Fields of the last instant of fields.h5, or that a .pvd names; None if there is none or it is empty. DamagedFile
     for one that is damaged."""
+    if pvd.suffix == ".h5":
+        return read_hdf5(pvd)
     try:
         instants = ElementTree.parse(pvd).getroot().findall("Collection/DataSet")
         if not instants:

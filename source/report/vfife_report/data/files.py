@@ -10,6 +10,12 @@ class DamagedFile(ValueError):
     column where there is one."""
 
 
+def find_fields(folder):
+    """The file of a run's fields, whether it is there or not."""
+    hdf5 = folder / "fields.h5"
+    return hdf5 if hdf5.is_file() else folder / "fields.pvd"
+
+
 def read_text(path):
     content = path.read_bytes()
     try:

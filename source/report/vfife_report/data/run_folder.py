@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from .files import DamagedFile, read_json
+from .files import DamagedFile, find_fields, read_json
 from .parameters import read_parameters
 from .shapes import EDGE_CONTACT, GEOMETRY, STATED, SUMMARY
 from .table import read_table
@@ -41,7 +41,7 @@ class RunFolder:
         self.stated = read_json(stated, STATED) if stated.is_file() else {}
         edges = self.path / "edge_contact.json"
         self.edge_contact = read_json(edges, EDGE_CONTACT) if edges.is_file() else {}
-        self.fields = self.path / "fields.pvd"
+        self.fields = find_fields(self.path)
 
     def fill_sizes(self):
         """Sizes of bodies that entries leave open (0): as they were derived from the blank."""
