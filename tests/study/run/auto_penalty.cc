@@ -18,17 +18,11 @@ namespace
 {
   using Curve = std::vector<double>;
 
-  /** Fewer elements along the face than the coarse pair has: two thirds of its time. */
-  const std::vector<std::string> shorter = {"Output/report=no",
-                                            "Gear pair/Pinion/Mesh/elements along face width=4",
-                                            "Gear pair/Gear/Mesh/elements along face width=3"};
-
   /** Transmission errors [arcsec] at 3 positions of a mesh cycle, which are not multiples of an
    * eighth but for the first one. */
   Curve analyse(const std::vector<std::string> &entries, Communicator &world)
   {
-    std::vector<std::string> overrides = shorter;
-    overrides.emplace_back("Loaded contact/positions=3");
+    std::vector<std::string> overrides = {"Loaded contact/positions=3", "Output/report=no"};
     overrides.insert(overrides.end(), entries.begin(), entries.end());
     run_pair(tree_folder() + "/prm/fem/loaded_spiral_bevel_quick.prm",
              "auto_penalty",
@@ -56,9 +50,8 @@ namespace
                   const std::vector<std::string> &entries,
                   Communicator                   &world)
   {
-    std::vector<std::string> overrides = shorter;
-    overrides.insert(overrides.end(),
-                     {"Dynamics/maximum number of steps=1", "Dynamics/start=static equilibrium"});
+    std::vector<std::string> overrides = {"Dynamics/maximum number of steps=1",
+                                          "Dynamics/start=static equilibrium"};
     overrides.insert(overrides.end(), entries.begin(), entries.end());
     run_pair(tree_folder() + "/" + file, folder, world, overrides);
     return read_columns(folder + "/history.csv")["dte"].front();

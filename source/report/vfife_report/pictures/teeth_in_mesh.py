@@ -32,7 +32,7 @@ def draw_teeth_in_mesh(scene):
     left.set_ylim(-window, window)
     left.grid(False)
     left.set_xlabel("across the teeth [mm]")
-    left.set_title(f"Section normal to the cone distance at the contact, {scene.when()}")
+    left.set_title(f"Normal section at the contact, {scene.when()}")
     add_colour_bar(picture, left, STRESS_MAP, 0, largest, "von Mises stress [MPa]", note)
     draw_pressure(scene, picture, right)
     return picture
@@ -53,5 +53,5 @@ def draw_pressure(scene, picture, axes):
     largest = gear["contact pressure"].max()
     canvas = draw_faces(gear, "contact pressure", camera, edge_width=1.2)
     show_image(axes, canvas.image(PRESSURE_MAP, 0, largest))
-    axes.set_title("Where the contact presses on the gear's teeth, pinion taken away")
+    axes.set_title("Contact pressure on the gear teeth, pinion hidden")
     add_colour_bar(picture, axes, PRESSURE_MAP, 0, 1, "pressure at nodes over its largest", "")
