@@ -2,6 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/contact/surface/smooth_patch.h>
 #include <vfife/dynamics/loop/explicit_solver.h>
+#include <vfife/dynamics/operator/whole_partition.h>
 #include <vfife/dynamics/update_sums.h>
 #include <vfife/mesh/boundary_surface.h>
 #include <vfife/plugin/solid_contact.h>
@@ -10,29 +11,12 @@
 
 #include <algorithm>
 #include <memory>
-#include <numeric>
 
 namespace vfife
 {
   namespace
   {
     constexpr const char *contact_side = "contact";
-
-    /** Of this process, which has all nodes and elements, numbered as in the model. */
-    Partition whole_model(const Model &model)
-    {
-      Partition partition;
-      partition.global_node.resize(model.n_nodes());
-      std::iota(partition.global_node.begin(), partition.global_node.end(), 0u);
-      partition.local_node = partition.global_node;
-      partition.owned.assign(model.n_nodes(), 1);
-      for (const Body &body : model.bodies)
-        partition.first_local_node.push_back(body.first_node);
-      partition.first_local_node.push_back(model.n_nodes());
-      partition.elements.resize(model.n_elements());
-      std::iota(partition.elements.begin(), partition.elements.end(), 0u);
-      return partition;
-    }
   } // namespace
 
   SolidContact::SolidContact(ExplicitSolid                   &slave,
@@ -42,7 +26,7 @@ namespace vfife
                              const ContactOptions            &options)
     : solids_{{&slave, &master}}
     , model_(make_model({{slave_boundary, master_boundary}}, options))
-    , partition_(whole_model(model_))
+    , partition_(*make_whole_partition(model_))
     , contact_(model_,
                partition_,
                slave.communicator_,

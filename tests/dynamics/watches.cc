@@ -1,9 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Energy ledger, damping audit and contact losses of made-up steps, by hand; and interrupted at any
 // of them, written and read again: the same.
+#include "../made_state.h"
 #include "../parts.h"
 #include "../tests.h"
-#include "../whole_partition.h"
 
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>

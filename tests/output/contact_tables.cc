@@ -1,8 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // pattern.csv and teeth.csv of made-up contact, read back: every number against a closed form of
 // what was put in.
+#include "../made_state.h"
 #include "../tests.h"
-#include "../whole_partition.h"
 
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/mpi_session.h>

@@ -1,9 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // One field file read back and compared with closed forms at every point: a ring that turns about
 // an axis askew and is strained uniformly, and a block that is.
+#include "../made_state.h"
 #include "../tests.h"
 #include "../vtu_file.h"
-#include "../whole_partition.h"
 #include "ring_askew.h"
 
 #include <vfife/base/process/communicator.h>

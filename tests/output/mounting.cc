@@ -2,9 +2,9 @@
 // How two members stand to each other: the mounting errors of a pair are found again from where
 // they put its members, and the motion of its bores tells the same.
 #include "../gear/paper_pair.h"
+#include "../made_state.h"
 #include "../parts.h"
 #include "../tests.h"
-#include "../whole_partition.h"
 
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // rim.csv of a turning ring with waves of known amplitudes, about an axis askew.
+#include "../made_state.h"
 #include "../tests.h"
-#include "../whole_partition.h"
 #include "ring_askew.h"
 
 #include <vfife/base/process/communicator.h>

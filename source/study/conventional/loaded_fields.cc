@@ -1,12 +1,12 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/communicator.h>
+#include <vfife/dynamics/operator/whole_partition.h>
 #include <vfife/fem/pair/pair_equilibrium.h>
 #include <vfife/fem/system/fem_space.h>
 #include <vfife/model/body_frame.h>
 #include <vfife/model/model.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/study/conventional/loaded_fields.h>
-#include <vfife/study/whole_partition.h>
 
 #include <cmath>
 #include <limits>

@@ -3,6 +3,7 @@
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/run_signals.h>
 #include <vfife/base/text/byte_stream.h>
+#include <vfife/dynamics/operator/whole_partition.h>
 #include <vfife/model/model.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/result_places.h>
@@ -12,7 +13,6 @@
 #include <vfife/study/reduced/reduced_run.h>
 #include <vfife/study/run/pair_preload.h>
 #include <vfife/study/run/steady_swing.h>
-#include <vfife/study/whole_partition.h>
 
 #include <algorithm>
 #include <cmath>

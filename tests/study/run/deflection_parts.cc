@@ -2,9 +2,9 @@
 // Parts of the transmission error, stiffness and inertia of the swing of made-up states, and the
 // lag of penalty springs under a rigid tilt, each against its closed form.
 #include "../../dynamics/one_solver.h"
+#include "../../made_state.h"
 #include "../../parts.h"
 #include "../../tests.h"
-#include "../../whole_partition.h"
 
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/study/run/pair_preload.h>

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/dynamics/operator/whole_partition.h>
 #include <vfife/model/model.h>
 #include <vfife/model/partition.h>
-#include <vfife/study/whole_partition.h>
 
 #include <numeric>
 
@@ -17,8 +17,7 @@ namespace vfife
     for (const Body &body : model.bodies)
       partition->first_local_node.push_back(body.first_node);
     partition->first_local_node.push_back(model.n_nodes());
-    const Body &last = model.bodies.back();
-    partition->elements.resize(last.first_element + last.n_elements());
+    partition->elements.resize(model.n_elements());
     std::iota(partition->elements.begin(), partition->elements.end(), 0u);
     return partition;
   }
