@@ -152,7 +152,7 @@ namespace vfife
                    "start",
                    start,
                    starts,
-                   "How a rotating gear pair takes up its load. static equilibrium: starts "
+                   "Initial state of a gear pair or general model. static equilibrium: starts "
                    "loaded; steady swing: starts with the periodic vibration at the mesh "
                    "frequency; ramp: torque grows linearly; undeformed: starts unloaded");
     declare_choice(prm,

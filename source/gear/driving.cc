@@ -21,7 +21,7 @@ namespace vfife
                    "direction of rotation",
                    direction,
                    directions,
-                   "forward: the pinion turns counter-clockwise seen from its back");
+                   "forward: the pinion rotates counter-clockwise seen from its back");
   }
 
   MeshSide working_side(const DrivingMember driving, const TurningDirection direction)

@@ -54,7 +54,7 @@ namespace vfife
 
   void SupportOptions::declare(dealii::ParameterHandler &prm)
   {
-    declare_choice(prm, "member", member, members, "Member that this support carries");
+    declare_choice(prm, "member", member, members, "Member on this support");
     declare_choice(prm,
                    "motion",
                    tilts,
@@ -123,8 +123,8 @@ namespace vfife
                    "load law",
                    load_law,
                    laws,
-                   "Torque as a function of compression from the table: a power law that meets "
-                   "secant and tangent stiffness, or two straight lines");
+                   "Torque as a function of compression from the table: a power law with "
+                   "the given secant and tangent stiffness, or two straight lines");
     declare_quantity(
       prm, "stiffness", stiffness, "N m/rad", "Mean mesh stiffness", Range::not_negative());
     declare_number_list(

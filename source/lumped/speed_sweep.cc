@@ -24,13 +24,13 @@ namespace vfife
                      "lowest speed",
                      lowest_speed,
                      "rpm",
-                     "Lowest or highest pinion speed of the sweep",
+                     "Lowest pinion speed of the sweep",
                      Range::not_negative());
     declare_quantity(prm,
                      "highest speed",
                      highest_speed,
                      "rpm",
-                     "Lowest or highest pinion speed of the sweep",
+                     "Highest pinion speed of the sweep",
                      Range::not_negative());
     declare_integer(
       prm, "speeds", n_speeds, "Number of equally spaced speeds in the sweep", 2, 100000);

@@ -19,8 +19,8 @@ namespace vfife
     declare_text(prm,
                  "where",
                  where,
-                 "Condition on x, y, z [mm] in the undeformed body frame that selected nodes "
-                 "must meet, such as \"abs(y) < 0.1 && x > 5\"; empty: no condition");
+                 "Condition on x, y, z [mm] in the undeformed body frame for selected "
+                 "nodes, such as \"abs(y) < 0.1 && x > 5\"; empty: no condition");
   }
 
   unsigned int NodeSelection::find_body(const std::vector<Body> &bodies,

@@ -52,8 +52,9 @@ namespace vfife
         pinion.edge_in_modules = gear.edge_in_modules = edges[chosen].second;
       },
       "Mesh density of both bodies. coarse, medium, fine: edge lengths of about "
-      "0.67, 0.45 and 0.3 outer transverse modules; by members: from the Mesh "
-      "sections of the members. An element size of a member has precedence");
+      "0.67, 0.45 and 0.3 outer transverse modules; by members: the "
+      "numbers of elements in the Mesh sections of the members, by default about 1,300 elements "
+      "per tooth. The element size of a member overrides this choice");
   }
 
   void GearBodyOptions::leave_sizes_open()

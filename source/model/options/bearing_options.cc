@@ -180,7 +180,8 @@ namespace vfife
                    elements,
                    "Type of rolling element: ball (deep groove; angular contact if there is a "
                    "contact angle) or roller (cylindrical; tapered if there is a contact angle)");
-    declare_integer(prm, "number of elements", data.n, "In one row", 0, 10000);
+    declare_integer(
+      prm, "number of elements", data.n, "Number of rolling elements in one row", 0, 10000);
     declare_quantity(prm,
                      "element diameter",
                      data.diameter,
@@ -224,19 +225,20 @@ namespace vfife
                    data.sense,
                    senses,
                    "Direction of the shaft's axial force that a bearing with a contact angle "
-                   "takes, along the axis z or against it");
+                   "supports, along the axis z or against it");
     declare_quantity(prm,
                      "cage angle",
                      data.cage_angle,
                      "deg",
                      "Angle of the first rolling element at time zero, from x");
     const Choices<bool> cages = {{"fixed", false}, {"rolling", true}};
-    declare_choice(prm,
-                   "cage",
-                   data.cage_rolls,
-                   cages,
-                   "fixed: all rolling elements stay in place; rolling: the cage turns with the "
-                   "shaft, on a fixed outer ring, in runs and in loaded tooth contact analyses");
+    declare_choice(
+      prm,
+      "cage",
+      data.cage_rolls,
+      cages,
+      "fixed: the cage is at rest; rolling: the elements roll on a fixed outer ring, in "
+      "runs and in loaded tooth contact analyses");
     declare_quantity(prm,
                      "preload",
                      data.preload,

@@ -117,12 +117,12 @@ namespace vfife
                    "rotate about an axis");
     const char *names = "xyz";
     for (unsigned int c = 0; c < 3; ++c)
-      declare_text(prm,
-                   std::string("initial velocity ") + names[c],
-                   initial_velocity[c],
-                   "Formula of x, y, z [mm] in the undeformed body frame for what is added to that "
-                   "velocity along " +
-                     std::string(1, names[c]) + " of the fixed frame [mm/s]");
+      declare_text(
+        prm,
+        std::string("initial velocity ") + names[c],
+        initial_velocity[c],
+        "Additional initial velocity along " + std::string(1, names[c]) +
+          " of the fixed frame [mm/s]: formula of x, y, z [mm] in the undeformed body frame");
   }
 
   void BodyOptions::declare_shape(dealii::ParameterHandler &prm, const std::string &section)

@@ -25,7 +25,7 @@ namespace vfife
                                "rpm",
                                "Speed of the pinion",
                                Range::not_negative().with_hint(
-                                 "direction of rotation = reverse turns it round"));
+                                 "direction of rotation = reverse reverses it"));
     declare_quantity_over_time(
       prm,
       "torque",
@@ -76,14 +76,15 @@ namespace vfife
                      "and lubrication; 0: no limit",
                      Range::not_negative());
     declare_driving(prm, driving, direction);
-    declare_choice(prm,
-                   "bore rotation",
-                   hub,
-                   hub_kinds,
-                   "Rotation of the driven member's bore, whose radial and axial displacements "
-                   "are zero. rigid: the bore rotates as one, as on a stiff shaft; per node: "
-                   "each node rotates by itself under the uniform traction of the torque, which "
-                   "adds some 4 to 12 arcsec of transmission error");
+    declare_choice(
+      prm,
+      "bore rotation",
+      hub,
+      hub_kinds,
+      "Rotation of the driven member's bore, whose radial and axial displacements "
+      "are zero. rigid: the bore rotates as one, as on a stiff shaft; per node: "
+      "each node rotates independently under the uniform traction of the torque, which "
+      "adds some 4 to 12 arcsec of transmission error");
   }
 
   void OperationOptions::require_speed(const std::string &section) const

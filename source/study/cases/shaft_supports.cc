@@ -85,12 +85,9 @@ namespace vfife
 
   void ShaftRing::declare(dealii::ParameterHandler &prm, const std::string &what)
   {
-    declare_quantity(prm,
-                     "from",
-                     from,
-                     "mm",
-                     what + " begins here on the shaft: place along the axis from the apex");
-    declare_quantity(prm, "to", to, "mm", "End of the place");
+    const std::string place = " of " + what + ": position along the axis from the apex";
+    declare_quantity(prm, "from", from, "mm", "Beginning" + place);
+    declare_quantity(prm, "to", to, "mm", "End" + place);
   }
 
   void ShaftSupports::Seat::declare_kind(dealii::ParameterHandler &prm)
@@ -129,11 +126,11 @@ namespace vfife
       {
         const Subsection subsection(prm, "Bearing " + name);
         seat.declare_kind(prm);
-        seat.ring.declare(prm, "Beginning of the bearing seat");
+        seat.ring.declare(prm, "the bearing seat");
         seat.law.declare(seat.rolls, prm);
       }
     const Subsection subsection(prm, "End");
-    end_.declare(prm, "Beginning of the ring at which the machine drives or loads the shaft");
+    end_.declare(prm, "the ring at which the shaft is driven or loaded");
     coupling_.declare(prm);
   }
 

@@ -74,7 +74,7 @@ namespace vfife
                   formats,
                   "Formats of mesh files: " + list_of(export_formats()) + "; may be empty");
     declare_switch(prm, "pair", pair, "Both bodies in one file, mounted in the fixed frame");
-    declare_switch(prm, "bodies", bodies, "Each body in a file of its own, in its body frame");
+    declare_switch(prm, "bodies", bodies, "One file per body, in its body frame");
     declare_integer(prm,
                     "flank points lengthwise",
                     lengthwise,

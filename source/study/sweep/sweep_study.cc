@@ -129,7 +129,7 @@ namespace vfife
     declare_names(prm,
                   "reference folders",
                   beside_,
-                  "Folders of results that the report shows beside the runs: a loaded tooth "
+                  "Folders of results that the report shows together with the runs: a loaded tooth "
                   "contact analysis with coupled modes, a lumped model or a reduced pair with a "
                   "speed sweep");
     declare_names(prm,

@@ -65,7 +65,7 @@ namespace vfife
                    solver,
                    solvers,
                    "Model of the simulated response: reduced pair; or run: an explicit run per "
-                   "speed in its own folder, with the reduced pair beside it");
+                   "speed in its own folder, and the reduced pair");
     declare_number_list(
       prm,
       "speed offsets",
