@@ -75,8 +75,8 @@ namespace
         start();
       // MPI knows nothing of a copy of the process.
       if (process_ != getpid())
-        throw std::runtime_error("this process is a copy (fork) of one that has computed already: "
-                                 "start it anew, in multiprocessing by the method \"spawn\"");
+        throw std::runtime_error("this process was forked after a computation. Start it in "
+                                 "multiprocessing by the method \"spawn\"");
       return *alone_;
     }
 

@@ -211,7 +211,7 @@ namespace vfife
     if (std::abs(turned) * t.driven_teeth < largest_turn * 2. * pi)
       return;
     std::ostringstream text;
-    text << "at step " << step_ << " (" << 1e3 * time_ << " ms) the driven body turned by "
+    text << "at step " << step_ << " (" << 1e3 * time_ << " ms) the driven body rotated by "
          << turned * 180. / pi << " degrees beyond the driver in one step of "
          << 1e6 * options_.step
          << " us, so that flanks pass through each other. Increase Reduced/steps per mesh cycle";

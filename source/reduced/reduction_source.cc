@@ -121,7 +121,7 @@ namespace vfife
       FemOptions options = fem;
       stream.pass(options.element, options.mass, options.strain);
     });
-    add("list of nodes that may touch", [&](ByteStream &stream) {
+    add("list of contact nodes", [&](ByteStream &stream) {
       std::vector<unsigned int> nodes = touch_nodes;
       stream.pass(nodes);
     });

@@ -84,8 +84,8 @@ namespace vfife
         runs_.back().places.push_back(place_of_[body_.first_copy(node)]);
         if (runs_.back().places.back() == no_place)
           throw NumericalError("node " + std::to_string(node) +
-                               " of a reduced body may touch, "
-                               "and was not among the nodes that forces act on");
+                               " of a reduced body may be in contact, "
+                               "but is not among the nodes with forces");
         row += 3;
       }
     const Eigen::Index n_modes = body_.n_modes(), n_rows = row + n_ring_rows();

@@ -66,7 +66,8 @@ namespace vfife
             throw InputError("Model/loads",
                              "expected loads along the axis of the rotating body \"" + body.name() +
                                "\", got \"" + load.name +
-                               "\" across the axis, which is stationary in space. " + remedy);
+                               "\" across the axis, which is stationary in the fixed frame. " +
+                               remedy);
       }
   }
 
@@ -112,8 +113,8 @@ namespace vfife
       }
     if (!is_told && K.size() > 0 && differs(K, mean))
       log.warning(
-        "the stiffness that joins shifts, tilts and seats of its bearings differs along x "
-        "and y",
+        "the stiffness that couples displacements, tilts and seats of its bearings differs along "
+        "x and y",
         consequence);
   }
 

@@ -182,7 +182,7 @@ namespace
     const SteadyPart brief = find_steady_part(make_history(3, 20, flat, constant_dte), 20, 13, 0);
     check("shorter than two periods: none", !brief.found && brief.cycles == 1);
     check("shorter than a period: said so",
-          brief.explain().find("less than one swing period of 13 mesh cycles") !=
+          brief.explain().find("less than one period (13 mesh cycles) of the torsional mode") !=
             std::string::npos);
 
     // A period of 13 meshes in a record of 20: the swing shows in the means of the cycles.
@@ -197,7 +197,7 @@ namespace
           calm.found && calm.by_cycles && calm.cycles == 20);
     check("between one and two periods: a large one is not", !loud.found && loud.by_cycles);
     check("between one and two periods: said so",
-          loud.explain().find("fewer than two swing periods of 13") != std::string::npos);
+          loud.explain().find("fewer than two periods (13 mesh cycles each)") != std::string::npos);
     // Means over a cycle are sin(pi/13)/(pi/13) of the swing in its middle; one cycle has its
     // middle in the trough, the best two at pi/13 from the crest. The trapezoidal rule with 40
     // samples adds (pi/260)^2/3 of the swing.

@@ -142,7 +142,8 @@ study kinds (Study/kind in FILE.prm):
   tooth contact analysis, loaded tooth contact analysis, benchmark
 
 exit codes: 0 success, 1 input error, 2 computation failed, 3 stopped after a checkpoint
-signals: SIGTERM, SIGINT, SIGUSR2 write a checkpoint and stop; SIGUSR1 writes a field file
+signals: SIGUSR2 writes a checkpoint and stops; SIGTERM and SIGINT likewise without mpirun;
+  SIGUSR1 writes a field file
 
 example: vfife prm/spiral_bevel_quick.prm -o results/slow --set "Operation/speed=8000 rpm"
 documentation: doc/index.md

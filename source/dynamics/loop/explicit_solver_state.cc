@@ -53,7 +53,7 @@ namespace vfife
       const double steps = static_cast<double>(state.step - first_step);
       stream.require(std::abs(state.time - first_time - steps * state.dt) <=
                        1e-9 * (std::abs(state.time) + state.dt),
-                     "a time that is not that of its step");
+                     "the time does not match the step");
     }
   } // namespace
 

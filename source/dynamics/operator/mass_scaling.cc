@@ -76,8 +76,8 @@ namespace vfife
             set_figure_digits(text, 4);
             text << "body \"" << body.name() << "\" would gain " << 100 * share
                  << " % of its mass, in " << gain.n_elements << " of its " << body.n_elements()
-                 << " elements; allowed are " << 100 * options.largest_added_mass
-                 << " % (Dynamics/maximum added mass): choose a smaller step or improve the mesh";
+                 << " elements; the limit is " << 100 * options.largest_added_mass
+                 << " % (Dynamics/maximum added mass). Choose a smaller step, or improve the mesh";
             throw InputError("Dynamics/mass scaling step", text.str());
           }
         log.line("mass scaling: ",

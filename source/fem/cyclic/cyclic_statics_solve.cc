@@ -107,7 +107,7 @@ namespace vfife
         for (const auto &weight : watched.weights)
           if (copies_.sector_of(weight.first) != sector)
             throw InputError("body \"" + body_.body().name() +
-                             "\": a surface in contact goes across the border of two sectors");
+                             "\": a contact surface crosses the border of two sectors");
         originals.emplace(copy_of(watched), &watched);
         sectors.insert(sector);
       }

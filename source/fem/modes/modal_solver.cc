@@ -41,13 +41,15 @@ namespace vfife
   {
     const unsigned int n = system.constraints().n(), most = largest_number(n);
     if (options.n_modes > most)
-      throw InputError(
-        "Fem/modes",
-        "the eigenvalue solver needs " + std::to_string(least_unknowns(options.n_modes)) +
-          " unknowns for " + std::to_string(options.n_modes) +
-          (options.n_modes == 1 ? " mode" : " modes") + ", and the mesh has " + std::to_string(n) +
-          "; " + (most > 0 ? "ask for at most " + std::to_string(most) + " modes or " : "") +
-          "take a finer mesh");
+      throw InputError("Fem/modes",
+                       "the eigenvalue solver needs " +
+                         std::to_string(least_unknowns(options.n_modes)) + " unknowns for " +
+                         std::to_string(options.n_modes) +
+                         (options.n_modes == 1 ? " mode" : " modes") + ", and the mesh has " +
+                         std::to_string(n) + ". " +
+                         (most > 0 ? "Request at most " + std::to_string(most) + " modes, or refine"
+                                   : "Refine") +
+                         " the mesh");
   }
 
   unsigned int ModalSolver::least_unknowns(const unsigned int n_modes)

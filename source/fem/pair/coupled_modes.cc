@@ -253,10 +253,11 @@ namespace vfife
     const unsigned int largest = ModalSolver::largest_number(system.constraints().n());
     if (options.n_modes > largest)
       throw InputError("Loaded contact/coupled modes",
-                       std::to_string(n) + " coupled modes are made of " +
-                         std::to_string(options.n_modes) + " modes in turning axes, and " +
+                       std::to_string(n) + " coupled modes require " +
+                         std::to_string(options.n_modes) + " modes in the rotating frame, and " +
                          std::to_string(system.constraints().n()) + " unknowns have at most " +
-                         std::to_string(largest) + "; ask for fewer modes or take a finer mesh");
+                         std::to_string(largest) +
+                         ". Reduce the number of modes, or refine the mesh");
     const ModalSolver     solver(system, options);
     const SystemMatrices &matrices = solver.matrices();
     const auto      rate = [&d](const unsigned int body) { return d.model().bodies[body].rate; };

@@ -223,8 +223,8 @@ namespace vfife
             at_rest = gain < round_off || gain < least_part * r.lpNorm<Eigen::Infinity>();
             if (!at_rest)
               result.unfinished =
-                "no part of the last step makes the deviations smaller; limit the "
-                "changes of the settings, or take fewer";
+                "no part of the last step reduces the deviations. Limit the changes of the "
+                "settings, or identify fewer settings";
           }
       }
     result.settings = settings_of(x);

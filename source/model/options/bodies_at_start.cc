@@ -183,7 +183,7 @@ namespace vfife
     {
       std::ostringstream text;
       text << "body \"" << from.body.name() << "\" at (" << overlap.place[0] << ", "
-           << overlap.place[1] << ", " << overlap.place[2] << ") mm " << overlap.depth
+           << overlap.place[1] << ", " << overlap.place[2] << ") mm, " << overlap.depth
            << " mm inside body \"" << other.body.name() << '"';
       return text.str();
     }
@@ -213,10 +213,10 @@ namespace vfife
           if (const Overlap overlap = find_overlap(facets, from, other); overlap.depth > limit)
             {
               std::ostringstream text;
-              text << "expected bodies that are apart at the start or at most " << limit
-                   << " mm inside each other, where contact looks for them (depth limit), got "
+              text << "expected a penetration of at most " << limit
+                   << " mm at the start (contact depth limit), got "
                    << describe(overlap, from, other)
-                   << ". Move one of them (position), or choose the surfaces that touch";
+                   << ". Move one body (position), or choose the surfaces in contact";
               throw InputError("Model/Contact " + pair.side, text.str());
             }
           for (unsigned int e = 0; e < from.body.n_elements(); ++e)
@@ -225,9 +225,9 @@ namespace vfife
             {
               log.warning("contact ",
                           pair.side,
-                          ": at the start lies ",
+                          " at the start: ",
                           describe(overlap, from, other),
-                          ", away from the surfaces of the contact, which does not detect it");
+                          ", away from the contact surfaces, where contact does not detect it");
               return;
             }
         }

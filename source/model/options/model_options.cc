@@ -259,7 +259,7 @@ namespace vfife
         if (way > 1e-9 * place.norm())
           log.line("probe ",
                    probe.name,
-                   ": no node is at its point. The record is of node ",
+                   ": no node is at its point. The program records node ",
                    probe.node,
                    " of body ",
                    body.name(),

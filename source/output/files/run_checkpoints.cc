@@ -143,8 +143,9 @@ namespace vfife
     const std::string  command = script != nullptr ? script
                                  : n > 1           ? "mpirun -n " + std::to_string(n) + " vfife"
                                                    : "vfife";
-    throw Interrupted("stopped as asked at " + where(state) + " after a checkpoint; to continue: " +
-                      command + " --restart \"" + folder_.path() + "\"");
+    throw Interrupted("stopped on request at " + where(state) +
+                      " after a checkpoint; to continue: " + command + " --restart \"" +
+                      folder_.path() + "\"");
   }
 
   bool RunCheckpoints::before_step(RunSignals &signals, const State &state, const bool last)

@@ -239,7 +239,7 @@ namespace vfife
     failure = communicator_.broadcast(failure);
     if (!failure.empty())
       throw std::runtime_error("earlier results in \"" + folder_ +
-                               "\" cannot be put away: " + failure);
+                               "\" cannot be moved to previous/: " + failure);
     has_begun_ = true;
     has_moved_ = communicator_.any(has_moved_);
     return has_moved_;

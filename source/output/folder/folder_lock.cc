@@ -116,7 +116,7 @@ namespace vfife
                       std::strerror(attempt.error),
                       "). Do not start another study there");
         else if (descriptor_ >= 0 && !attempt.holder.empty())
-          log.line("a killed study has left the lock of its folder (",
+          log.line("found the lock of a killed study (",
                    attempt.holder,
                    "); this study takes the lock");
       }

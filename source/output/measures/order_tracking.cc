@@ -60,7 +60,7 @@ namespace vfife
   {
     if (time.size() < 4 || length < 2 || n_orders == 0)
       throw InputError(
-        "order tracking requires at least four samples and windows of at least two turns");
+        "order tracking requires at least four samples and windows of at least two revolutions");
     // Windows that end within the record, in half their length: n + 1 halves.
     const double first = turns(time.front()), last = turns(time.back());
     if (last - first < length * (1. - 1e-12))

@@ -45,21 +45,19 @@ namespace vfife
   {
     std::ostringstream text;
     text << name << ": largest von Mises stress of the record " << figure_text(peak) << " MPa at "
-         << figure_text(1e3 * peak_time)
-         << " ms; of a whole turn (copies in all sectors at the end) " << figure_text(largest)
-         << " MPa, " << figure_text(std::abs(largest_after_mesh)) << " mesh cycles "
-         << (largest_after_mesh < 0 ? "before" : "after") << " the mesh, median "
+         << figure_text(1e3 * peak_time) << " ms; in one revolution (all images at the end) "
+         << figure_text(largest) << " MPa, " << figure_text(std::abs(largest_after_mesh))
+         << " mesh cycles " << (largest_after_mesh < 0 ? "before" : "after") << " contact, median "
          << figure_text(median) << " MPa; ";
     if (has_peak && has_median)
       text << "both values occur in the record";
     else if (has_peak)
-      text
-        << "the record has the peak, but ends or begins before it comes down to the median (least "
-        << figure_text(least) << " MPa)";
+      text << "the record has the peak, but ends or begins before it falls to the median (least "
+           << figure_text(least) << " MPa)";
     else if (has_median)
-      text << "the peak of the passage does not lie in the record";
+      text << "the peak of the passage is outside the record";
     else
-      text << "neither the peak of the passage nor its median lies in the record (least "
+      text << "neither the peak of the passage nor its median is in the record (least "
            << figure_text(least) << " MPa)";
     return text.str();
   }

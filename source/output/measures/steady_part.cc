@@ -191,8 +191,8 @@ namespace vfife
     if (history.n_rows() < 2)
       throw InputError("a history of fewer than two rows has no steady part");
     if (!(samples_per_mesh > 1) || !std::isfinite(swing_period_meshes))
-      throw InputError(
-        "the steady part requires more than one sample per mesh cycle and a finite swing period");
+      throw InputError("the steady part requires more than one sample per mesh cycle and a finite "
+                       "period of the torsional mode");
 
     const std::vector<double> &time     = history.numbers(column::time);
     const double               interval = (time.back() - time.front()) / (time.size() - 1);
@@ -289,17 +289,17 @@ namespace vfife
       text << "no steady part: ";
     if (by_cycles)
       text << cycles_to_judge << (judged_cycles == 1 ? " is" : " are")
-           << " fewer than two swing periods of " << meshes_text(period)
-           << "; means over single mesh cycles differ by " << (found ? "at most " : "") << percent
-           << " %";
+           << " fewer than two periods (" << meshes_text(period)
+           << " each) of the torsional mode; means over single mesh cycles differ by "
+           << (found ? "at most " : "") << percent << " %";
     else if (judged_cycles < period)
-      text << cycles_to_judge << (judged_cycles == 1 ? " is" : " are")
-           << " less than one swing period of " << meshes_text(period);
+      text << cycles_to_judge << (judged_cycles == 1 ? " is" : " are") << " less than one period ("
+           << meshes_text(period) << ") of the torsional mode";
     else
       text << "means over " << (found ? "" : "the last two times ") << meshes_text(period)
            << " differ by " << (found ? "at most " : "") << percent << " %";
     if (!found)
-      text << "; figures are of the " << (first_row == 0 ? "whole record, " : "last third, ")
+      text << "; values are from the " << (first_row == 0 ? "whole record, " : "last third, ")
            << milliseconds(start_time) << " ms to " << milliseconds(end_time) << " ms";
     text << "; " << ripple.explain();
     return text.str();

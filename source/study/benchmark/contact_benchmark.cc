@@ -176,7 +176,7 @@ namespace vfife
              1e3 * options.closing,
              " um: ",
              area,
-             " mm^2 touch, ",
+             " mm^2 in contact, ",
              1e-3 * force,
              " kN, ",
              solver.contact().n_listed_points(),

@@ -64,14 +64,14 @@ namespace vfife
       switch (constraint.kind)
         {
         case ConstraintKind::held:
-          return "held";
+          return "fixed";
         case ConstraintKind::prescribed_rotation:
-          return constraint.angle ? joined("turned by ", *constraint.angle / degree, " deg")
-                                  : "turned at the body's speed";
+          return constraint.angle ? joined("rotated by ", *constraint.angle / degree, " deg")
+                                  : "rotated at the body's speed";
         case ConstraintKind::free_rotation:
-          return "held along r and z, free to turn each by itself";
+          return "fixed along r and z; nodes rotate independently";
         case ConstraintKind::rigid_hub:
-          return "held along r and z, free to turn together";
+          return "fixed along r and z; nodes rotate together";
         case ConstraintKind::directions:
           return "displacement " + led_directions(constraint);
         }
@@ -132,9 +132,7 @@ namespace vfife
                  coupling.damping,
                  " N mm s/rad");
       if (model.housing.size() > 0)
-        log.line("housing: stiffness of ",
-                 model.housing.rows(),
-                 " displacements behind the bearings");
+        log.line("housing: stiffness of ", model.housing.rows(), " displacements of the bearings");
     }
   } // namespace
 

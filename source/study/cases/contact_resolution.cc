@@ -75,9 +75,9 @@ namespace vfife
   {
     std::ostringstream text;
     set_figure_digits(text, 2);
-    text << contact << " is " << width << " mm wide, the facets of its slave " << facet
-         << " mm: its approach is off by up to " << 100. * error << " %. Refine the facets to "
-         << remedy;
+    text << contact << " is " << width << " mm wide, the facets of its slave surface " << facet
+         << " mm: the error of its approach is up to " << 100. * error
+         << " %. Refine the facets to " << remedy;
     return text.str();
   }
 
@@ -86,7 +86,7 @@ namespace vfife
     std::ostringstream text;
     set_figure_digits(text, 4);
     text << "contact points lie " << spacing << " mm apart, " << contact << " is " << width
-         << " mm wide: pressures are those of single points and the force ripples";
+         << " mm wide: pressures at points are inaccurate and the force has a ripple";
     return text.str();
   }
 

@@ -79,9 +79,10 @@ namespace vfife
       text << (i == 0 ? "before" : ", after") << " the path of contact (" << borders_[i].name
            << ", " << borders_[i].place << " pitches) a tooth pair has up to "
            << std::lround(borders_[i].force) << " N";
-    text << " of " << std::lround(largest_)
-         << " N. Hertz's pressure holds inside the flanks only; at a sharp edge it is larger and "
-            "depends on the mesh (Contact/edge relief)";
+    text
+      << " of " << std::lround(largest_)
+      << " N. Hertzian pressure applies inside the flanks only; at a sharp edge it is larger and "
+         "depends on the mesh (Contact/edge relief)";
     return text.str();
   }
 

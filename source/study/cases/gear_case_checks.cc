@@ -98,11 +98,11 @@ namespace vfife
       const double width = 2 * TorquePressure(gear_case.hertz_contact(), model).semi_axes[1];
       const ContactResolution seen(model, model.contacts.front(), width);
       if (seen.has_single_points())
-        return seen.describe_points("Hertz's contact");
+        return seen.describe_points("the Hertzian contact");
       if (seen.facet > width)
         return text("flank elements of ",
                     seen.facet,
-                    " mm are wider than Hertz's contact of ",
+                    " mm are wider than the Hertzian contact of ",
                     width,
                     " mm: forces are meaningful, pressures and subsurface stresses are not");
       return "";
@@ -146,8 +146,9 @@ namespace vfife
     {
       if (gear_case.has_web() || gear_case.operation().hub != HubKind::free_rotation)
         return "";
-      return "web = none with hub = free rotation: the rim's underside is guided radially and "
-             "axially, and each of its nodes turns on its own";
+      return "body type = rim only with bore rotation = per node: the underside of the rim is "
+             "guided "
+             "radially and axially, and each node rotates independently";
     }
 
     std::string check_step(const GearCase &, const RunPlan &plan)

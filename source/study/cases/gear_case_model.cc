@@ -242,7 +242,7 @@ namespace vfife
              n,
              " per facet and direction, ",
              facet / n,
-             " mm apart; Hertz's contact is ",
+             " mm apart; the Hertzian contact is ",
              width,
              " mm wide");
   }

@@ -80,9 +80,10 @@ namespace vfife
   void ModelCase::check_dynamics(const DynamicsOptions &dynamics) const
   {
     if (dynamics.start == Start::ramp || dynamics.start == Start::steady_swing)
-      throw InputError("Dynamics/start",
-                       "expected \"undeformed\" or \"static preload\" for a model of the section "
-                       "Model, got a start of gear pairs");
+      throw InputError(
+        "Dynamics/start",
+        "expected \"undeformed\" or \"static equilibrium\" for a model of the section "
+        "Model, got a start for gear pairs");
     if (dynamics.mesh_damping > 0)
       throw InputError("Dynamics/driven speed damping",
                        "requires a gear pair, got a model without one");

@@ -23,8 +23,8 @@ namespace vfife
   std::string TorquePressure::describe() const
   {
     std::ostringstream text;
-    text << "Hertz, one tooth pair under all the torque: " << semi_axes[0] << " x " << semi_axes[1]
-         << " mm, " << largest << " MPa";
+    text << "Hertzian contact of one tooth pair under the whole torque: " << semi_axes[0] << " x "
+         << semi_axes[1] << " mm, " << largest << " MPa";
     return text.str();
   }
 
@@ -34,8 +34,8 @@ namespace vfife
       return "";
     std::ostringstream text;
     set_figure_digits(text, 4);
-    text << "Hertz's pressure of one tooth pair under all the torque, " << largest
-         << " MPa, is above the allowed " << limit << " MPa (Operation/contact stress limit)";
+    text << "Hertzian pressure of one tooth pair under the whole torque, " << largest
+         << " MPa, exceeds the limit of " << limit << " MPa (Operation/contact stress limit)";
     return text.str();
   }
 } // namespace vfife

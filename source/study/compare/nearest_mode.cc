@@ -34,8 +34,8 @@ namespace vfife
     const double difference = std::abs(line - mode);
     const bool   is_refuted = difference > tolerance * mode;
     if (neighbour > 2 / length && is_refuted && difference < 1 / length)
-      reason << "; beyond the tolerance, but by less than a line of the spectrum, " << 1 / length
-             << " Hz";
+      reason << "; the difference exceeds the tolerance, but not the line spacing of the spectrum, "
+             << 1 / length << " Hz";
     else if (neighbour > 2 / length)
       row.tolerance = tolerance * mode;
     row.reason = reason.str();

@@ -118,7 +118,7 @@ namespace vfife
         row.reason           = is_run_ ? "mean of the last third of the run against linear statics"
                                        : "equilibrium by relaxation against linear statics";
         if (size < least_part * largest)
-          row.reason += "; hardly anything beside the largest of all probes";
+          row.reason += "; below 1 % of the largest of all probes";
         else if (rest.vibration > tolerance * size)
           row.reason += "; the run still vibrates by more than the tolerance";
         else

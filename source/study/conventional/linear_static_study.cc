@@ -205,10 +205,10 @@ namespace vfife
           return false;
         if (step == options_.most_steps)
           {
-            log.warning(name + " has not settled: the last of " + number_text(step) +
+            log.warning(name + " has not converged: the last of " + number_text(step) +
                         " refinements changed it by " + number_text(100 * change_) +
                         " %. Increase Linear static/Adaptive refinement/maximum steps, or choose a "
-                        "result that has a limit: stresses in sharp corners have none");
+                        "result that converges: stresses in sharp corners do not");
             return false;
           }
         fem.divisions.push_back(mark_elements(space, errors, options_.marked_part));

@@ -238,12 +238,11 @@ namespace vfife
           const std::size_t row        = probes.find_largest(probe.name);
           const double      after_mesh = probes.table().numbers(column::after_mesh)[row];
           log.line(probe.name,
-                   ": largest von Mises stress of a turn ",
+                   ": largest von Mises stress in one revolution ",
                    probes.table().numbers(column::von_mises)[row],
                    " MPa, ",
                    std::abs(after_mesh),
-                   after_mesh < 0. ? " mesh cycles before the mesh"
-                                   : " mesh cycles after the mesh");
+                   after_mesh < 0. ? " mesh cycles before contact" : " mesh cycles after contact");
         }
     }
   } // namespace

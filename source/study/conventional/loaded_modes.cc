@@ -43,11 +43,11 @@ namespace vfife
     for (const auto *list : {&modes.turning, &modes.standing})
       for (const CoupledMode &mode : *list)
         if (mode.share_of_turn > .02)
-          log.line(list == &modes.turning ? "  in turning axes " : "  stationary in space ",
+          log.line(list == &modes.turning ? "  in the rotating frame " : "  in the fixed frame ",
                    mode.frequency,
                    " Hz: ",
                    100 * mode.share_of_turn,
-                   " % of the static turn");
+                   " % of the static rotation");
     Table table = make_coupled_mode_table();
     add_coupled_modes(modes, table);
     write_tables(folder, "coupled_modes", table);

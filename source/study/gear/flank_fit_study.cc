@@ -223,7 +223,9 @@ namespace vfife
     if (!found.unfinished.empty())
       log.warning("flank fit: " + found.unfinished + ". The best settings found are used");
     for (const std::string &name : found.at_limit)
-      log.warning("flank fit: " + name + " is at its largest change; the flank requires more");
+      log.warning(
+        "flank fit: " + name +
+        " is at its limit (Flank fit/largest changes); the flank requires a larger change");
     Json json                       = figures_json({{"points", {double(found.before.size()), "-"}},
                                                     {"independent changes", {double(found.directions), "-"}},
                                                     {"root mean square before", {before, "um"}},

@@ -114,7 +114,7 @@ namespace vfife
                1e-3 * model.mesh_stiffness(),
                " N m/rad at ",
                1e-3 * model.pair().torque,
-               " N m, inertia of the swing ",
+               " N m, inertia of the torsional mode ",
                1e3 * model.swing_inertia(),
                " kg mm^2");
       for (const LumpedMode &mode : model.find_modes())

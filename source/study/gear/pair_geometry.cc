@@ -138,7 +138,7 @@ namespace vfife
     };
     for (const std::string &setting : settings_)
       log.line(setting);
-    log.line("geometry, with everything derived:");
+    log.line("geometry with all derived values:");
     for (const auto &figure : pair_)
       row(named(figure), number(figure.second.value), "");
     row("", members_[0].name, members_[1].name);

@@ -95,7 +95,7 @@ namespace vfife
                fixed(a.ends[1].approach / arcsecond, 1),
                " arcsec of approach at these ends");
       if (a.hands_over)
-        log.line("  hand-over           at p = ",
+        log.line("  transfer point      at p = ",
                  fixed(a.hand_over, 3),
                  " with ",
                  fixed(a.hand_over_lag / arcsecond, 3),
@@ -195,7 +195,8 @@ namespace vfife
                meshes,
                " mesh cycles; the same teeth are in contact again after ",
                cycle);
-      log.line("                      all figures above are of the errors that all teeth share");
+      log.line(
+        "                      all values above are for the flank deviations common to all teeth");
       json["unequal teeth"] = figures_json({{"mesh cycles", {double(meshes), "-"}},
                                             {"hunting cycle", {cycle, "-"}},
                                             {"least transmission error", {least, "arcsec"}},

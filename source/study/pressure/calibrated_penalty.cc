@@ -152,11 +152,12 @@ namespace vfife
         loaded.facets_passed[side] = {{facets[0], facets[1]}};
         log.line("facets of the ",
                  model.bodies[side == 0 ? loaded.slave_body : loaded.master_body].name(),
-                 " that the contact passes per gear mesh: ",
+                 " passed per mesh cycle: ",
                  facets[0],
                  " along the face, ",
                  facets[1],
-                 " along the profile; the mesh excites near these orders of the gear mesh");
+                 " along the profile; the finite element mesh excites vibrations near these mesh "
+                 "orders");
       }
     log.line("contact penalty by the contact's own grid at ",
              n_positions,
@@ -166,7 +167,7 @@ namespace vfife
              found.least,
              " to ",
              found.largest,
-             "; loads of tooth pairs within ",
+             "; loads of tooth pairs agree within ",
              100. * found.left,
              " %; found in ",
              seconds_since(start),

@@ -31,9 +31,9 @@ namespace vfife
                body.n_modes(),
                " modes below ",
                .5 / pi * body.cutoff,
-               " Hz (with nodal diameters count once), ",
+               " Hz (pairs with nodal diameters count once), ",
                body.touch_nodes.size(),
-               " nodes a sector that may touch, residual flexibility beyond ",
+               " nodes per sector that may be in contact, residual flexibility beyond ",
                body.reach,
                " sectors at most ",
                100. * body.residual_left,
@@ -111,8 +111,10 @@ namespace vfife
         write("stiffness", real.stiffness, "K at Omega_0 = " + rate.str() + " rad/s");
         write("coriolis", real.coriolis, "G, antisymmetric");
         write("spin_stiffness", real.spin_stiffness, "D");
-        write("shapes", real.shapes, "what the rows of " + name + "rows.csv read of x");
-        write("residual", real.residual, "mm/N: flank nodes, at once under forces on them");
+        write("shapes", real.shapes, "values of " + name + "rows.csv from x");
+        write("residual",
+              real.residual,
+              "mm/N: flank nodes, residual displacement under forces on them");
         write("torque", real.torque, "f of a torque of 1 N mm about the axis of rotation");
         if (real.seats.size() > 0)
           write("seat_stiffness",

@@ -353,8 +353,8 @@ namespace vfife
              found.largest_force,
              " N, ",
              settling,
-             " mesh cycles to settle, of ",
+             " mesh cycles to settle, ",
              steps,
-             " steps");
+             " steps per mesh cycle");
   }
 } // namespace vfife

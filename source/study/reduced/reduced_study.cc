@@ -77,7 +77,7 @@ namespace vfife
         if (dynamics_.start == Start::ramp)
           throw InputError(
             "Dynamics/start",
-            "expected \"steady swing\" or \"static preload\" for a reduced pair, got "
+            "expected \"steady swing\" or \"static equilibrium\" for a reduced pair, got "
             "\"ramp\"");
         fillets_.check();
         instants_.check();
@@ -333,7 +333,7 @@ namespace vfife
                  start.found.iterations,
                  " iterations, transmission error ",
                  start.transmission_error / arcsecond,
-                 " arcsec, swing ",
+                 " arcsec, torsional mode ",
                  swing_of(start).frequency(),
                  " Hz");
         probes.choose();
@@ -402,8 +402,8 @@ namespace vfife
                motion.steps_per_mesh,
                " steps of ",
                1e9 * motion.options.step,
-               largest_factor() == 1. ? " ns in a mesh cycle"
-                                      : " ns in a mesh cycle at the largest speed");
+               largest_factor() == 1. ? " ns per mesh cycle"
+                                      : " ns per mesh cycle at the largest speed");
       ReducedPair  pair(model, std::move(bodies), motion.options);
       NamedFigures at_start =
         find_start_stresses(model, dynamics_, settled.compliance.get(), communicator, log);

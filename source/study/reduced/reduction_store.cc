@@ -73,7 +73,7 @@ namespace vfife
     complaint = communicator_.broadcast(complaint);
     bytes     = communicator_.broadcast(bytes);
     if (!complaint.empty())
-      throw InputError(entry, complaint + "; remove it, or name another folder");
+      throw InputError(entry, complaint + ". Remove it, or name another folder");
     if (bytes.empty())
       return {};
 
@@ -84,8 +84,8 @@ namespace vfife
     const std::string difference = source.find_difference(stored);
     if (!difference.empty())
       throw InputError(entry,
-                       "\"" + path + "\" is of another body: its " + difference +
-                         " differs; remove it, or name another folder");
+                       "\"" + path + "\" belongs to another body: its " + difference +
+                         " differs. Remove it, or name another folder");
     serialize(body, stream);
     stream.finish();
     const std::string lack = find_lack(body, range);

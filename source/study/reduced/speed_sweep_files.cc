@@ -26,7 +26,7 @@ namespace vfife
       std::vector<double> signal = {static_cast<double>(signals.stop_signal())};
       communicator.max(signal);
       if (signal[0] > 0)
-        throw Interrupted("stopped as asked after " + std::to_string(sweep.resonance().n_rows()) +
+        throw Interrupted("stopped on request after " + std::to_string(sweep.resonance().n_rows()) +
                           " speeds (resonance.csv). To continue, start a sweep at the next speed");
     }
 
@@ -52,17 +52,17 @@ namespace vfife
           worst = errors[i] > errors[worst] ? i : worst;
         }
       if (n_above > 0)
-        log.warning("the energy error is above ",
+        log.warning("the energy error exceeds ",
                     1e2 * largest_energy_error,
                     " % at ",
                     n_above,
                     " of ",
                     errors.size(),
-                    " speeds, most at ",
+                    " speeds, with the largest value at ",
                     resonance.numbers(column::speed)[worst],
                     " rpm: ",
                     1e2 * errors[worst],
-                    " %; smaller steps: Reduced/steps per mesh cycle, Reduced/steps per mode");
+                    " %. Increase Reduced/steps per mesh cycle, Reduced/steps per mode");
     }
   } // namespace
 

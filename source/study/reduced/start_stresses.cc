@@ -42,7 +42,7 @@ namespace vfife
       }
     log.line("largest stresses at rest in the first position, found in ",
              duration_text(seconds_since(start)),
-             "; of all positions: kind loaded tooth contact analysis, with vibration: kind run");
+             "; for all positions use kind loaded tooth contact analysis, with vibration kind run");
     parts.write_to(log);
     NamedFigures figures;
     for (const auto &[name, figure] : parts.list_figures())

@@ -253,7 +253,7 @@ namespace vfife
               model_.transmission->mesh_frequency() / preload_.swing.frequency(),
               " mesh cycles per period: stiffness ",
               1e-3 * preload_.swing.stiffness,
-              " N m/rad, inertia of the shape ",
+              " N m/rad, inertia of the torsional mode ",
               1e3 * preload_.swing.inertia,
               " kg mm^2");
   }

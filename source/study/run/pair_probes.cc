@@ -49,9 +49,9 @@ namespace vfife
         const std::size_t         z = turn.size(), n = peak_mesh(meshes_);
         const std::size_t         place = largest - turn.begin();
         log_.line(probe.name,
-                  ": largest von Mises stress of its copies in all sectors ",
+                  ": largest von Mises stress of all images ",
                   *largest,
-                  " MPa; the record is of the copy that reaches this place after ",
+                  " MPa; the recorded image reaches this place after ",
                   n,
                   " of ",
                   meshes_,

@@ -42,7 +42,7 @@ namespace vfife
             return std::nullopt;
           if (!own.by_sectors())
             {
-              log.line("penalty elements: as the run, since the pair has bearings, couplings or "
+              log.line("penalty elements: as the run, because the pair has bearings, couplings or "
                        "unequal sectors");
               return std::nullopt;
             }
@@ -55,7 +55,7 @@ namespace vfife
           const double error = find_mean_error(the_case, compliance, *model);
           log.line("mean transmission error at rest by quadratic elements: ",
                    error / arcsecond,
-                   " arcsec; the penalty of this mesh makes it the same; found in ",
+                   " arcsec; the penalty is calibrated to it; found in ",
                    seconds_since(start),
                    " s");
           return error;

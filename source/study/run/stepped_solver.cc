@@ -58,7 +58,7 @@ namespace vfife
                << number("reductions") << " reductions of " << 1e-3 * number("bytes of reductions")
                << " kB";
         }
-      log.line("Timers, sent by a rank in a step: ", text.str());
+      log.line("Timers, data sent per rank and step: ", text.str());
     }
   } // namespace
 
@@ -112,7 +112,7 @@ namespace vfife
                " side ",
                penalties[i],
                " N/mm^3",
-               model.contacts[i].stiffness.empty() ? "" : " in the mean of its points");
+               model.contacts[i].stiffness.empty() ? "" : ", mean of its points");
     for (const std::string &sentence : solver.walls().describe_penalties())
       log.line(sentence);
     for (const std::string &sentence : solver.contact().describe_coarse_slaves())

@@ -257,6 +257,7 @@ namespace vfife
       });
     if (n_failed > 0)
       throw NumericalError(std::to_string(n_failed) + " of " + std::to_string(runs.size()) +
-                           " runs have failed; \"" + folder.file("sweep.json") + "\" says why");
+                           " runs have failed; \"" + folder.file("sweep.json") +
+                           "\" states the reason");
   }
 } // namespace vfife

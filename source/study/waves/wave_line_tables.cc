@@ -293,7 +293,7 @@ namespace vfife
              line.linear_curve.peak * rpm,
              " rpm in contact; ",
              line.meeting.wave.frequency() / (2. * pi),
-             " Hz in turning axes, damping ratio ",
+             " Hz in the rotating frame, damping ratio ",
              100. * line.damping_ratio(),
              " %, width ",
              100. * line.linear_curve.width / line.linear_curve.peak,

@@ -182,7 +182,8 @@ namespace vfife
     void WavesStudy::check_run() const
     {
       if (dynamics_.start != Start::static_preload)
-        throw InputError("Dynamics/start", "must be static preload for runs that excite waves");
+        throw InputError("Dynamics/start",
+                         "expected \"static equilibrium\" with Waves/solver = run");
       // Before hours of runs, not behind them.
       constexpr unsigned int least = 8;
       if (reduced_.settling_meshes + reduced_.counted_meshes < least)
@@ -326,11 +327,9 @@ namespace vfife
         {
           Tools tools(
             options_, model, bodies, pair_options(), reduced_.steps_per_mesh, places, pair);
-          log.line(
-            "static curves of a mesh cycle: of the rotation under the torque the contact with "
-            "teeth and driver has ",
-            100. * tools.linear.contact_compliance() * tools.passage.stiffness(),
-            " %");
+          log.line("static curves over a mesh cycle: contact, teeth and driver contribute ",
+                   100. * tools.linear.contact_compliance() * tools.passage.stiffness(),
+                   " % of the static rotation");
           write_csv(folder,
                     "waves_in_contact.csv",
                     tools.theory.list_meetings(RimWriter::count_diameters(model)));
@@ -338,7 +337,7 @@ namespace vfife
           lines   = tools.theory.find_lines(dynamics_.mass_damping());
           nearest = tools.theory.find_nearest(gear_case_.operation().speed);
           if (lines.empty())
-            log.line("no mesh order excites one of these waves between these speeds");
+            log.line("no mesh order excites any of these waves between these speeds");
           for (const WaveLine &line : lines)
             log_wave_line(line, log);
           if (options_.driven)

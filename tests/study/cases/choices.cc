@@ -119,7 +119,7 @@ end
   void starts(Communicator &world)
   {
     const double mass = 125 * 7.85e-9, omega = std::sqrt(1000 / mass), sag = 1e6 * mass / 1000;
-    for (const std::string &start : {std::string("undeformed"), std::string("static preload")})
+    for (const std::string &start : {std::string("undeformed"), std::string("static equilibrium")})
       {
         auto        h     = run_text("cube", cube(start) + quiet_output(10), world);
         const auto &way   = h["corner displacement y"];

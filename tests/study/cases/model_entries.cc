@@ -178,7 +178,7 @@ end
       {
         const std::string message = error.what();
         check("depth limit: bodies that begin deeper are refused",
-              message.find("at most 0.005 mm inside each other") != std::string::npos &&
+              message.find("at most 0.005 mm at the start") != std::string::npos &&
                 message.find("0.01 mm inside body \"under\"") != std::string::npos);
       }
     check_close("depth limit: at half of it [N]",
@@ -257,7 +257,7 @@ end
     catch (const InputError &error)
       {
         check("largest added mass: more is refused",
-              std::string(error.what()).find("allowed are 43 %") != std::string::npos);
+              std::string(error.what()).find("the limit is 43 %") != std::string::npos);
       }
 
     // In a row of cubes all elements can stretch in turn with their highest frequency, 2 c/h.

@@ -161,7 +161,8 @@ int main()
   const Ending ending = sweep("all");
   check("failing runs do not stop the others, and are said",
         ending.exit_code == 2 &&
-          ending.text.find("vfife: 3 of 6 runs have failed; \"all/sweep.json\" says why") !=
+          ending.text.find(
+            "vfife: 3 of 6 runs have failed; \"all/sweep.json\" states the reason") !=
             std::string::npos);
   show_table("all");
   check("runs differ",

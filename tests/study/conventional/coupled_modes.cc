@@ -79,7 +79,7 @@ namespace
       {
         check("too many coupled modes are refused",
               std::string(error.what())
-                  .find("100000 coupled modes are made of 200010 modes in turning axes") !=
+                  .find("100000 coupled modes require 200010 modes in the rotating frame") !=
                 std::string::npos);
         check("in the name of their entry", error.entry() == "Loaded contact/coupled modes");
       }

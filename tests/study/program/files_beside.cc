@@ -266,8 +266,7 @@ end
     check("a lock is left", fs::exists("case/locked/vfife.lock"));
     const Ending taken = start("locked");
     check("it is taken over",
-          taken.exit_code == 0 &&
-            says(taken, "a killed study has left the lock of its folder (process "));
+          taken.exit_code == 0 && says(taken, "found the lock of a killed study (process "));
     check("the lock is gone with its holder", !fs::exists("case/locked/vfife.lock"));
 
     // The folder of a case is locked as that of any study.

@@ -105,7 +105,7 @@ namespace
     ending = run_program(command("stopped"), when_written("stopped", third), SIGTERM);
     check("stopped: exit code", ending.exit_code == 3);
     check("stopped: message",
-          ending.text.find("\nvfife: stopped as asked at time ") != std::string::npos &&
+          ending.text.find("\nvfife: stopped on request at time ") != std::string::npos &&
             ending.text.find("after a checkpoint; to continue: vfife --restart \"stopped\"") !=
               std::string::npos);
     check("goes on", run_program(command("stopped", {"--restart"})).exit_code == 0);

@@ -110,7 +110,7 @@ namespace
   {
     for (const char *kind : {"run", "reduced"})
       {
-        const double rest = ripple_of(kind, "static preload", world);
+        const double rest = ripple_of(kind, "static equilibrium", world);
         check_below(std::string(kind) + ": peak to peak over that from rest",
                     ripple_of(kind, "steady swing", world) / rest,
                     .5);

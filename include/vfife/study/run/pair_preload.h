@@ -54,8 +54,8 @@ namespace vfife
   /**
    * Start of a gear pair (doc/theory/equilibrium.md, The preloaded start): equilibrium in the
    * turning frames, spun, then under a part of the torque, then under all of it, each telling a
-   * part of the transmission error. A run with `static preload` begins in the loaded one, with the
-   * deformation standing still in space; one with `steady swing` there as well, but where the
+   * part of the transmission error. A run with `static equilibrium` begins in the loaded one, with
+   * the deformation standing still in space; one with `steady swing` there as well, but where the
    * steady vibration of the swing has it, unless the pair is on shafts; one with `ramp` where the
    * flanks of the spun shapes just touch.
    */

@@ -74,7 +74,7 @@ namespace vfife
                               by,
                               "FEM",
                               {},
-                              "part of all that the bearing carries"};
+                              "part of the total force of the bearing"};
             run.judge_slow(run.tolerances.force * expected.norm(), row);
             rows.push_back(row);
           };
@@ -100,13 +100,14 @@ namespace vfife
           std::max(largest[number.unit], std::abs(mean_of(reference.numbers(number.name), all)));
       for (const MountingNumber &number : list_numbers(Mounting()))
         {
-          ComparisonRow row{"misalignment, mean " + number.name,
-                            number.unit,
-                            mean_of(table.numbers(number.name), steady),
-                            mean_of(reference.numbers(number.name), all),
-                            "FEM",
-                            {},
-                            "tolerance of the transmission error, of the largest in this unit"};
+          ComparisonRow row{
+            "misalignment, mean " + number.name,
+            number.unit,
+            mean_of(table.numbers(number.name), steady),
+            mean_of(reference.numbers(number.name), all),
+            "FEM",
+            {},
+            "tolerance of the transmission error, relative to the largest in this unit"};
           run.judge_slow(run.tolerances.error * largest[number.unit], row);
           rows.push_back(row);
         }

@@ -56,7 +56,7 @@ namespace vfife
           return "";
         std::ostringstream text;
         text << ", " << mean_ << " mm; along the path of contact it is " << least_ << " to "
-             << largest_ << " mm, which the tolerance has in it";
+             << largest_ << " mm, which the tolerance includes";
         return text.str();
       }
 
@@ -229,7 +229,7 @@ namespace vfife
                     "balance",
                     {},
                     ""};
-      row.reason = "in the steady state the contact carries the load torque";
+      row.reason = "in the steady state the contact torque equals the load torque";
       run.judge_steady(run.tolerances.force * std::abs(row.reference), row);
       rows.push_back(row);
     }
@@ -261,7 +261,7 @@ namespace vfife
                                                  length,
                                                  modes,
                                                  run.tolerances.frequency);
-          row.reason        = "nearest coupled mode that turns the hub; " + row.reason;
+          row.reason        = "nearest coupled mode with hub rotation; " + row.reason;
           rows.push_back(row);
         }
     }
@@ -273,9 +273,8 @@ namespace vfife
         return lumped.number("lumped.json", lumped_place::response_figure(column));
       };
       // Damping, stiffness and inertia of the lumped model are data of their own.
-      const std::string why =
-        "one inertia on one spring knows no tilt of rim and web: a second opinion";
-      const auto add =
+      const std::string why = "the lumped model has no tilt of rim and web: for information";
+      const auto        add =
         [&](const char *quantity, const char *unit, const auto &value, const auto &by) {
           rows.push_back({quantity, unit, value, by, "lumped", {}, why});
         };

@@ -64,15 +64,13 @@ namespace vfife
     // [rpm]. What the speed excludes is said first, then what the run, then what the modes do.
     const double limit = tolerances.slow * 30 / pi;
     if (rate_ > limit * (1 + 1e-9))
-      row.reason += "; at " + rounded_text(rate_) +
-                    " rpm the static pair is no reference, which "
-                    "it is up to " +
-                    rounded_text(limit) + " rpm: the difference is stated";
+      row.reason += "; the static pair is a reference up to " + rounded_text(limit) +
+                    " rpm only: at " + rounded_text(rate_) + " rpm the difference is stated";
     else if (!is_steady_)
       row.reason += "; the run has no steady part";
     else if (swing > tolerance)
-      row.reason += "; harmonics of the mesh near the coupled modes may add " +
-                    rounded_text(swing) + " " + row.unit + " without damping";
+      row.reason += "; mesh orders near the coupled modes may add " + rounded_text(swing) + " " +
+                    row.unit + " without damping";
     else
       row.tolerance = tolerance;
   }
@@ -91,6 +89,6 @@ namespace vfife
     if (is_steady_)
       row.tolerance = tolerance;
     else
-      row.reason += "; the run has no steady part, so means are those of its last third";
+      row.reason += "; the run has no steady part, so means are from its last third";
   }
 } // namespace vfife

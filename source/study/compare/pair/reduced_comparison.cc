@@ -126,9 +126,9 @@ namespace vfife
            kind,
            {},
            "mean mesh cycles less their means; tolerance: " +
-             (part > noise ? "a part of the run's peak to peak"
-                           : "what single meshes of the run differ from their mean, " +
-                               rounded_text(noise) + " " + unit)},
+             (part > noise
+                ? "a part of the run's peak to peak"
+                : "scatter of single mesh cycles of the run, " + rounded_text(noise) + " " + unit)},
           rows);
       if (column != column::dte)
         return;
@@ -145,9 +145,9 @@ namespace vfife
                                     amplitude,
                                     kind,
                                     {},
-                                    "of the mean mesh cycles"};
+                                    "from the mean mesh cycles"};
           if (noise > part)
-            row.reason += "; single meshes of the run differ from their mean, which makes " +
+            row.reason += "; the scatter of single mesh cycles of the run makes " +
                           figure_text(noise) + " " + unit + " uncertain";
           // Vibrations next to the cut-off are not in the reduced pair.
           const double cutoff = reduced.summary(summary_place::figure("cut-off frequency"));
