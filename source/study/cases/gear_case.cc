@@ -5,6 +5,7 @@
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/log.h>
+#include <vfife/gear/rating/iso10300_b1.h>
 #include <vfife/gear/unloaded_contact/contact_analysis.h>
 #include <vfife/gear/unloaded_contact/unloaded_contact.h>
 #include <vfife/mesh/gear/gear_meridian.h>
@@ -223,6 +224,11 @@ namespace vfife
     const Vector2 curvatures =
       contact.ellipse(contact.contact(contact.reference(), 0), 1e-3).relative_curvatures;
     return HertzContact(curvatures, pair_modulus());
+  }
+
+  BevelRating GearCase::nominal_stresses() const
+  {
+    return iso10300_b1(rated_pair(make_pair(), working_side(), pair_modulus()), torque_on(0));
   }
 
   std::optional<std::array<BlankOutline, 2>> GearCase::outlines() const

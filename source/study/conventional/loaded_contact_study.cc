@@ -12,6 +12,7 @@
 #include <vfife/fem/fem_options.h>
 #include <vfife/fem/pair/pair_equilibrium.h>
 #include <vfife/fem/statics/static_solver.h>
+#include <vfife/gear/rating/iso10300_b1.h>
 #include <vfife/mesh/node_set_names.h>
 #include <vfife/model/load_torque.h>
 #include <vfife/output/files/output_folder.h>
@@ -201,6 +202,9 @@ namespace vfife
       /** Whether edges carry, and Hertz's pressure of the tooth pair that carries most. */
       NamedFigures judge_teeth(const OutputFolder &folder, Log &log) const;
 
+      /** Nominal stresses of ISO 10300 for comparison; none where the standard does not apply. */
+      NamedFigures rate_pair(Log &log) const;
+
       /** None where it is not asked for. */
       std::unique_ptr<LoadedPressure> make_pressure(const Model &model,
                                                     Compliance  &compliance) const;
@@ -380,6 +384,7 @@ namespace vfife
       figures.insert(figures.end(), more.begin(), more.end());
     };
     add(judge_teeth(folder, log));
+    add(rate_pair(log));
     add(recorders.pattern.figures(gear_case_.make_pair(), model.contacts[0].side));
     add(recorders.parts.list_figures());
     recorders.fillets.write(folder, log);
@@ -402,6 +407,30 @@ namespace vfife
     figures.push_back({"hertz pressure of the largest force of a tooth pair",
                        {gear_case_.hertz_contact().largest_pressure(force), "MPa"}});
     return figures;
+  }
+
+  NamedFigures LoadedContactStudy::rate_pair(Log &log) const
+  {
+    try
+      {
+        const BevelRating rating = gear_case_.nominal_stresses();
+        const double      pinion = rating.teeth[0].root_stress, gear = rating.teeth[1].root_stress;
+        log.line("ISO 10300 method B1, without factors K: contact stress ",
+                 rating.contact_stress,
+                 " MPa, root stress ",
+                 pinion,
+                 " MPa (pinion), ",
+                 gear,
+                 " MPa (gear)");
+        return {{"nominal contact stress of iso 10300 b1", {rating.contact_stress, "MPa"}},
+                {"pinion nominal root stress of iso 10300 b1", {pinion, "MPa"}},
+                {"gear nominal root stress of iso 10300 b1", {gear, "MPa"}}};
+      }
+    catch (const InputError &error)
+      {
+        log.line("no nominal stresses. ", error.what());
+        return {};
+      }
   }
 
   std::unique_ptr<LoadedPressure> LoadedContactStudy::make_pressure(const Model &model,

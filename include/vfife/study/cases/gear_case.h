@@ -15,6 +15,7 @@
 
 namespace vfife
 {
+  struct BevelRating;
   struct BodyFigures;
 
   /** A spiral bevel gear pair from the sections Gear pair, Material ..., Operation and Contact. */
@@ -85,6 +86,10 @@ namespace vfife
 
     /** Torque on a member (0 pinion, 1 gear) that balances the load without friction [N mm]. */
     double torque_on(unsigned int member) const;
+
+    /** Nominal stresses of ISO 10300 method B1 under the torque at time zero; InputError where the
+     * method does not apply. */
+    BevelRating nominal_stresses() const;
 
     /** What is wrong with Hertz's pressure under the torque; empty where it is allowed. */
     std::string find_excess_of_pressure() const;

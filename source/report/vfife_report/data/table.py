@@ -10,8 +10,8 @@ from .shapes import LARGEST
 
 
 def write_persons(name):
-    """Names of persons with their capital letters, which names of columns and figures have not."""
-    return name.replace("von mises", "von Mises").replace("hertz ", "Hertz ")
+    """Names of persons and standards with their capital letters, which names of columns and figures have not."""
+    return name.replace("von mises", "von Mises").replace("hertz ", "Hertz ").replace("iso 10300 b1", "ISO 10300 B1")
 
 
 class Table:
