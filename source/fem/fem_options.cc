@@ -58,6 +58,12 @@ namespace vfife
   void FemOptions::declare(dealii::ParameterHandler &prm)
   {
     declare_elements(*this, prm);
+    declare_switch(prm,
+                   "distributed",
+                   distributed,
+                   "Distributes the mesh of one body to the ranks (kinds linear static and modal): "
+                   "conjugate gradients or LOBPCG without a matrix, with two levels of multigrid, "
+                   "whatever solvers are set. Elements: full integration, quadratic, cubic");
     declare_choice(prm,
                    "linear solver",
                    linear_solver,

@@ -44,6 +44,7 @@ namespace vfife
     bool                     hold_hubs = false; ///< hubs that turn freely are held instead
     bool                     coriolis  = false;
     bool                     cyclic_symmetry  = false; ///< one sector instead of the whole body
+    bool                     distributed      = false; ///< the mesh is distributed to the ranks
     unsigned int             largest_diameter = 8;     ///< of nodal diameters, with one sector
     unsigned int             mesh_orders      = 3; ///< multiples of the mesh frequency looked at
 

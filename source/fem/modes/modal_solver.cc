@@ -13,13 +13,6 @@
 
 namespace vfife
 {
-  namespace
-  {
-    /** Modes beyond those asked for: among them the gap for counting is looked for, and a double
-     * mode at the end is not cut in two. */
-    constexpr unsigned int n_guards = 6;
-  } // namespace
-
   /** Pairs, and what was learnt while finding them. */
   struct ModalSolver::Found
   {
@@ -54,14 +47,14 @@ namespace vfife
 
   unsigned int ModalSolver::least_unknowns(const unsigned int n_modes)
   {
-    return 2 * (n_modes + n_guards + 10) + 1;
+    return 2 * (n_modes + n_guard_modes + 10) + 1;
   }
 
   unsigned int ModalSolver::largest_number(const unsigned int n_unknowns)
   {
     // The Krylov space has 2 (n + guards + 10) vectors, and one more so that pairs stay together.
     const unsigned int half = (std::max(n_unknowns, 1u) - 1) / 2;
-    return half - std::min(half, n_guards + 10);
+    return half - std::min(half, n_guard_modes + 10);
   }
 
   ModalResult ModalSolver::solve() const
@@ -84,15 +77,28 @@ namespace vfife
     throw NumericalError(text.str());
   }
 
+  void check_orthogonality(const double defect)
+  {
+    if (defect < 1e-6)
+      return;
+    std::ostringstream text;
+    text << "modes are orthogonal to " << defect << " only: the eigenvalue solver has failed";
+    throw NumericalError(text.str());
+  }
+
   double choose_shift(const FemMatrix &stiffness, const FemMatrix &mass)
   {
+    return choose_shift(stiffness.diagonal(), mass.diagonal(), mass.communicator());
+  }
+
+  double choose_shift(const OwnedVector &k, const OwnedVector &m, const Communicator &communicator)
+  {
     // Padding has no mass and does not count.
-    const OwnedVector k = stiffness.diagonal(), m = mass.diagonal();
-    double            largest = 0;
+    double largest = 0;
     for (std::size_t i = 0; i < k.size(); ++i)
       if (m[i] > 0)
         largest = std::max(largest, k[i] / m[i]);
-    return -1e-10 * mass.communicator().max(largest);
+    return -1e-10 * communicator.max(largest);
   }
 
   ModalResult ModalSolver::solve(const FemMatrix                        &stiffness,
@@ -114,7 +120,7 @@ namespace vfife
     pairs.values.resize(options_.n_modes);
     pairs.vectors.resize(options_.n_modes);
     const std::vector<double> residuals = compute_residuals(stiffness, mass, pairs, shift);
-    check_orthogonality(mass, pairs.vectors);
+    check_orthogonality(compute_orthogonality_defect(mass, pairs.vectors));
 
     const SparseMatrix M(mass);
     MassBasis          free(M);
@@ -148,7 +154,7 @@ namespace vfife
                                                         const double     shift) const
   {
     Found        found;
-    unsigned int n_wanted = options_.n_modes + n_guards;
+    unsigned int n_wanted = options_.n_modes + n_guard_modes;
     for (unsigned int attempt = 0; attempt < 3; ++attempt)
       {
         {
@@ -180,7 +186,8 @@ namespace vfife
             return found;
           }
         // Missed modes: a larger space finds them, or their further copies.
-        n_wanted += count.n_negative() > below ? count.n_negative() - below + n_guards : n_guards;
+        n_wanted +=
+          count.n_negative() > below ? count.n_negative() - below + n_guard_modes : n_guard_modes;
       }
     throw NumericalError("the modes are not complete: a factorization counts another number of "
                          "modes below the highest one, also after a second search");
@@ -196,21 +203,9 @@ namespace vfife
                                mass,
                                matrices_.near_kernel(),
                                shift,
-                               options_.n_modes + n_guards,
+                               options_.n_modes + n_guard_modes,
                                options_.eigen_tolerance);
     return found;
-  }
-
-  void ModalSolver::check_orthogonality(const FemMatrix                &mass,
-                                        const std::vector<OwnedVector> &x) const
-  {
-    const double defect = compute_orthogonality_defect(mass, x);
-    if (!(defect < 1e-6))
-      {
-        std::ostringstream text;
-        text << "modes are orthogonal to " << defect << " only: the eigenvalue solver has failed";
-        throw NumericalError(text.str());
-      }
   }
 
   void ModalSolver::add_effective_masses(ModalResult &result) const

@@ -12,7 +12,6 @@
 #include <vfife/model/constraints/rigid_freedom.h>
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <array>
@@ -46,14 +45,6 @@ namespace vfife
 
     /** How often modes are searched again for the completeness of waves. */
     constexpr unsigned int most_attempts = 3;
-
-    Eigen::MatrixXd as_columns(const std::vector<std::vector<double>> &fields)
-    {
-      Eigen::MatrixXd columns(fields.empty() ? 0 : fields.front().size(), fields.size());
-      for (std::size_t k = 0; k < fields.size(); ++k)
-        columns.col(k) = Eigen::Map<const Eigen::VectorXd>(fields[k].data(), fields[k].size());
-      return columns;
-    }
 
     /**
      * Where bearings oppose rigid motions, their velocity relative to the ground is u' + Omega x u,
@@ -239,12 +230,10 @@ namespace vfife
                                                                const unsigned int harmonic) const
   {
     // Velocities at the body's axis and angular velocities that nothing opposes, a column each.
-    const Axis &axis = model_.bodies[body_].axis;
-    const auto  unit = make_rigid_motions(whole_, whole_.parts()[0], axis.point);
-    const auto  free = find_free_motions(whole_, whole_.parts()[0]);
-    if (free.empty())
+    const Axis           &axis    = model_.bodies[body_].axis;
+    const Eigen::MatrixXd motions = find_free_coefficients(whole_, whole_.parts()[0], axis.point);
+    if (motions.cols() == 0)
       return {};
-    const Eigen::MatrixXd motions = as_columns(unit).colPivHouseholderQr().solve(as_columns(free));
 
     std::vector<std::vector<double>> list;
     const auto of_points = make_rigid_motions(space_, space_.parts()[0], axis.point);

@@ -61,25 +61,33 @@ namespace vfife
 
     /** Start vectors that depend on the global number only: the same on any number of ranks. Zero
      * where unknowns have no mass: they are padding. */
-    Teuchos::RCP<Columns> make_start(const FemMatrix &mass, const unsigned int n)
+    Teuchos::RCP<Columns> make_start(const OwnedVector  &mass_diagonal,
+                                     const unsigned int  first_row,
+                                     const Communicator &communicator,
+                                     const unsigned int  n)
     {
-      const SparsePattern &pattern  = mass.pattern();
-      const OwnedVector    diagonal = mass.diagonal();
-      const auto start = Teuchos::rcp(new Columns(mass.communicator(), pattern.n_rows(), n));
+      const std::size_t n_rows = mass_diagonal.size();
+      const auto        start  = Teuchos::rcp(new Columns(communicator, n_rows, n));
       for (unsigned int k = 0; k < n; ++k)
-        for (int i = 0; i < pattern.n_rows(); ++i)
+        for (std::size_t i = 0; i < n_rows; ++i)
           {
             // The finalizer of splitmix64 (Steele, Lea & Flood 2014) on number and column; its
             // upper 53 bits become a number in [-1, 1).
-            const unsigned int global = pattern.first_row + i;
+            const unsigned int global = first_row + i;
             std::uint64_t      bits =
               (global + 1ull) * 0x9E3779B97F4A7C15ull + k * 0xBF58476D1CE4E5B9ull;
             bits = (bits ^ (bits >> 30)) * 0xBF58476D1CE4E5B9ull;
             bits = (bits ^ (bits >> 27)) * 0x94D049BB133111EBull;
             bits ^= bits >> 31;
-            (*start)[k][i] = diagonal[i] > 0 ? static_cast<double>(bits >> 11) * 0x1p-52 - 1. : 0.;
+            (*start)[k][i] =
+              mass_diagonal[i] > 0 ? static_cast<double>(bits >> 11) * 0x1p-52 - 1. : 0.;
           }
       return start;
+    }
+
+    Teuchos::RCP<Columns> make_start(const FemMatrix &mass, const unsigned int n)
+    {
+      return make_start(mass.diagonal(), mass.pattern().first_row, mass.communicator(), n);
     }
 
     Teuchos::ParameterList
@@ -201,15 +209,35 @@ namespace vfife
                           const double                    tolerance)
   {
     const MultigridSolver multigrid(add_scaled(stiffness, -shift, mass), near_kernel);
-    const SparseMatrix    M(mass);
+    return solve_lobpcg(multigrid.matrix(),
+                        multigrid.cycle(),
+                        SparseMatrix(mass),
+                        mass.diagonal(),
+                        mass.pattern().first_row,
+                        mass.communicator(),
+                        shift,
+                        n,
+                        tolerance);
+  }
 
+  EigenPairs solve_lobpcg(const ColumnOperator &A,
+                          const ColumnOperator &inverse,
+                          const ColumnOperator &mass,
+                          const OwnedVector    &mass_diagonal,
+                          const unsigned int    first_row,
+                          const Communicator   &communicator,
+                          const double          shift,
+                          const unsigned int    n,
+                          const double          tolerance)
+  {
     // Some vectors beyond those asked for: how fast the last one converges depends on the gap
     // behind the block.
-    const unsigned int block   = n + 4;
-    const auto         problem = Teuchos::rcp(new Problem(Teuchos::rcpFromRef(multigrid.matrix()),
-                                                  Teuchos::rcpFromRef(M),
-                                                  make_start(mass, block)));
-    problem->setPrec(Teuchos::rcpFromRef(multigrid.cycle()));
+    const unsigned int block = n + 4;
+    const auto         problem =
+      Teuchos::rcp(new Problem(Teuchos::rcpFromRef(A),
+                               Teuchos::rcpFromRef(mass),
+                               make_start(mass_diagonal, first_row, communicator, block)));
+    problem->setPrec(Teuchos::rcpFromRef(inverse));
     // Here K - shift M and M are both symmetric, and all steps are Rayleigh and Ritz.
     problem->setHermitian(true);
     problem->setNEV(n);
@@ -225,7 +253,7 @@ namespace vfife
     EigenPairs pairs = take_pairs(*problem, n, solver.getNumIters());
     for (double &value : pairs.values)
       value += shift;
-    normalize(M, mass.communicator(), pairs);
+    normalize(mass, communicator, pairs);
     return pairs;
   }
 
@@ -234,9 +262,19 @@ namespace vfife
                                         const EigenPairs &pairs,
                                         const double      scale)
   {
-    const Columns x(mass.communicator(), pairs.vectors);
-    Columns       r  = apply(SparseMatrix(stiffness), x);
-    const Columns Mx = apply(SparseMatrix(mass), x);
+    return compute_residuals(
+      SparseMatrix(stiffness), SparseMatrix(mass), mass.communicator(), pairs, scale);
+  }
+
+  std::vector<double> compute_residuals(const ColumnOperator &stiffness,
+                                        const ColumnOperator &mass,
+                                        const Communicator   &communicator,
+                                        const EigenPairs     &pairs,
+                                        const double          scale)
+  {
+    const Columns x(communicator, pairs.vectors);
+    Columns       r  = apply(stiffness, x);
+    const Columns Mx = apply(mass, x);
     for (std::size_t k = 0; k < x.n(); ++k)
       r[k] -= pairs.values[k] * Mx[k];
     const std::vector<double> rests = r.dot(r), sizes = Mx.dot(Mx);
@@ -251,8 +289,15 @@ namespace vfife
   double compute_orthogonality_defect(const FemMatrix                &mass,
                                       const std::vector<OwnedVector> &vectors)
   {
-    const Columns x(mass.communicator(), vectors);
-    return (x.products(apply(SparseMatrix(mass), x)) - Eigen::MatrixXd::Identity(x.n(), x.n()))
+    return compute_orthogonality_defect(SparseMatrix(mass), mass.communicator(), vectors);
+  }
+
+  double compute_orthogonality_defect(const ColumnOperator           &mass,
+                                      const Communicator             &communicator,
+                                      const std::vector<OwnedVector> &vectors)
+  {
+    const Columns x(communicator, vectors);
+    return (x.products(apply(mass, x)) - Eigen::MatrixXd::Identity(x.n(), x.n()))
       .cwiseAbs()
       .maxCoeff();
   }

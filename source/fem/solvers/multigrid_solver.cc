@@ -5,6 +5,8 @@
 
 #include <deal.II/base/config.h>
 
+#include <sstream>
+
 // The only source that sees Trilinos by deal.II, whose headers include Epetra and, up to Trilinos
 // 16, ML. VFIFE_WITHOUT_MULTIGRID: the option VFIFE_MULTIGRID of CMake is off.
 #if !defined(VFIFE_WITHOUT_MULTIGRID) && defined(DEAL_II_WITH_TRILINOS) &&                         \
@@ -14,16 +16,20 @@
 #  pragma GCC diagnostic ignored "-Wall"
 #  pragma GCC diagnostic ignored "-Wextra"
 #  include <Teuchos_ParameterList.hpp>
+#  include <deal.II/dofs/dof_accessor.h>
+#  include <deal.II/dofs/dof_tools.h>
+#  include <deal.II/lac/affine_constraints.h>
+#  include <deal.II/lac/full_matrix.h>
 #  include <deal.II/lac/solver_cg.h>
 #  include <deal.II/lac/trilinos_precondition.h>
 #  include <deal.II/lac/trilinos_sparse_matrix.h>
+#  include <deal.II/lac/trilinos_sparsity_pattern.h>
 #  include <deal.II/lac/trilinos_vector.h>
 #  include <deal.II/lac/vector.h>
 #  include <ml_MultiLevelPreconditioner.h>
 #  pragma GCC diagnostic pop
 
 #  include <algorithm>
-#  include <sstream>
 
 namespace vfife
 {
@@ -70,8 +76,6 @@ namespace vfife
       : communicator(values.communicator())
       , rows(make_own_rows(values.pattern()))
       , A(rows, communicator.mpi())
-      , matrix(std::make_unique<WrappedOperator<Wrappers::SparseMatrix>>(A))
-      , cycle(std::make_unique<WrappedOperator<Wrappers::PreconditionAMG>>(multigrid))
     {
       const SparsePattern                         &pattern = values.pattern();
       std::vector<dealii::types::global_dof_index> columns;
@@ -83,6 +87,39 @@ namespace vfife
           A.set(pattern.first_row + i, end - begin, columns.data(), &values.values()[begin], true);
         }
       A.compress(dealii::VectorOperation::insert);
+      prepare(near_kernel);
+    }
+
+    Operators(const dealii::DoFHandler<3>             &dofs,
+              const dealii::AffineConstraints<double> &lines,
+              const CellMatrix                        &cell_matrix,
+              const std::vector<OwnedVector>          &near_kernel,
+              const Communicator                      &ranks)
+      : communicator(ranks)
+      , rows(dofs.locally_owned_dofs())
+    {
+      Wrappers::SparsityPattern pattern(rows,
+                                        rows,
+                                        dealii::DoFTools::extract_locally_relevant_dofs(dofs),
+                                        communicator.mpi());
+      dealii::DoFTools::make_sparsity_pattern(dofs, pattern, lines, false, communicator.rank());
+      pattern.compress();
+      A.reinit(pattern);
+      std::vector<dealii::types::global_dof_index> of_cell(dofs.get_fe().n_dofs_per_cell());
+      for (const auto &cell : dofs.active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            cell->get_dof_indices(of_cell);
+            lines.distribute_local_to_global(cell_matrix(cell), of_cell, A);
+          }
+      A.compress(dealii::VectorOperation::add);
+      prepare(near_kernel);
+    }
+
+    void prepare(const std::vector<OwnedVector> &near_kernel)
+    {
+      matrix = std::make_unique<WrappedOperator<Wrappers::SparseMatrix>>(A);
+      cycle  = std::make_unique<WrappedOperator<Wrappers::PreconditionAMG>>(multigrid);
       for (const OwnedVector &motion : near_kernel)
         kernel.insert(kernel.end(), motion.begin(), motion.end());
       Teuchos::ParameterList list;
@@ -135,15 +172,7 @@ namespace vfife
 
     // The recursive residual of the iteration may drift from the true one.
     const double rest = o.A.residual(residual, x, b);
-    // Ten times: the residual that drifts a little is no failure.
-    if (!(rest <= 10. * tolerance * size))
-      {
-        std::ostringstream text;
-        text << "conjugate gradients stopped after " << n_iterations_
-             << " iterations at a residual of " << rest / size << " of the load instead of "
-             << tolerance;
-        throw NumericalError(text.str());
-      }
+    check_conjugate_gradients(size > 0 ? rest / size : 0., n_iterations_, tolerance);
     return OwnedVector(x.begin(), x.end());
   }
 
@@ -162,6 +191,18 @@ namespace vfife
         "\"shift-invert\", or build vfife with such a deal.II.");
     }
 
+    Operators(const dealii::DoFHandler<3> &,
+              const dealii::AffineConstraints<double> &,
+              const CellMatrix &,
+              const std::vector<OwnedVector> &,
+              const Communicator &)
+    {
+      throw InputError("Fem/distributed",
+                       "expected no, got yes. deal.II of this build has no algebraic multigrid "
+                       "(PreconditionAMG by Epetra and ML of Trilinos). Set no, or build vfife "
+                       "with such a deal.II.");
+    }
+
     std::unique_ptr<ColumnOperator> matrix, cycle;
   };
 
@@ -178,7 +219,29 @@ namespace vfife
   {
   }
 
+  MultigridSolver::MultigridSolver(const dealii::DoFHandler<3>             &dofs,
+                                   const dealii::AffineConstraints<double> &lines,
+                                   const CellMatrix                        &cell_matrix,
+                                   const std::vector<OwnedVector>          &near_kernel,
+                                   const Communicator                      &communicator)
+    : operators_(std::make_unique<Operators>(dofs, lines, cell_matrix, near_kernel, communicator))
+  {
+  }
+
   MultigridSolver::~MultigridSolver() = default;
+
+  void check_conjugate_gradients(const double       residual,
+                                 const unsigned int n_iterations,
+                                 const double       tolerance)
+  {
+    // Ten times: the residual that drifts a little is no failure.
+    if (residual <= 10. * tolerance)
+      return;
+    std::ostringstream text;
+    text << "conjugate gradients stopped after " << n_iterations << " iterations at a residual of "
+         << residual << " of the load instead of " << tolerance;
+    throw NumericalError(text.str());
+  }
 
   const ColumnOperator &MultigridSolver::matrix() const
   {

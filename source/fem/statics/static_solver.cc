@@ -59,12 +59,16 @@ namespace vfife
             pinned_.push_back(part.body);
             allowed = 1;
           }
-        if (n > allowed)
-          throw InputError("body \"" + model.bodies[part.body].name() +
-                           "\": " + std::to_string(n - allowed) +
-                           " of its 6 rigid motions are not held by any constraint, so that it has "
-                           "no static equilibrium. Hold more of its nodes");
+        refuse_free_motions(model.bodies[part.body], n - std::min(n, allowed));
       }
+  }
+
+  void refuse_free_motions(const Body &body, const std::size_t n)
+  {
+    if (n > 0)
+      throw InputError("body \"" + body.name() + "\": " + std::to_string(n) +
+                       " of its 6 rigid motions are not held by any constraint, so that it has "
+                       "no static equilibrium. Hold more of its nodes");
   }
 
   std::vector<double> StaticSolver::make_forces(const StaticLoads &loads) const

@@ -28,13 +28,6 @@ namespace vfife
       return n_points == 8 ? 1 : (n_points == 27 ? 2 : 3);
     }
 
-    /** Gauss points along each axis. Gradients times det J have degree 3 degree - 1 on curved
-     * elements; to integrate them exactly is the patch test. */
-    unsigned int n_gauss(const unsigned int degree)
-    {
-      return degree == 3 ? 5 : degree + 1;
-    }
-
     struct ReferencePoint
     {
       Eigen::VectorXd N;
@@ -136,6 +129,11 @@ namespace vfife
     return element == FemElement::cubic ? 3 : (element == FemElement::quadratic ? 2 : 1);
   }
 
+  unsigned int n_gauss(const unsigned int degree)
+  {
+    return degree == 3 ? 5 : degree + 1;
+  }
+
   std::vector<double> places_along(const unsigned int degree)
   {
     const dealii::QGaussLobatto<1> rule(degree + 1);
@@ -143,6 +141,27 @@ namespace vfife
     for (const dealii::Point<1> &point : rule.get_points())
       places.push_back(point[0]);
     return places;
+  }
+
+  std::vector<unsigned int> numbers_on_face(const unsigned int degree, const unsigned int f)
+  {
+    // Points of an element are numbered with x fastest; a face lies at one end of its normal
+    // direction d and is run through along d + 1 and d + 2, on the lower side the other way round
+    // (find_boundary_faces).
+    const unsigned int n = degree + 1, direction = f / 2, side = f % 2;
+    const unsigned int first  = (direction + (side == 1 ? 1 : 2)) % 3,
+                       second = (direction + (side == 1 ? 2 : 1)) % 3;
+    std::vector<unsigned int> numbers;
+    for (unsigned int j = 0; j < n; ++j)
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          std::array<unsigned int, 3> at;
+          at[direction] = side * (n - 1);
+          at[first]     = i;
+          at[second]    = j;
+          numbers.push_back(at[0] + n * (at[1] + n * at[2]));
+        }
+    return numbers;
   }
 
   const Choices<FemElement> &fem_element_choices()

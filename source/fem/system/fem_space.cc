@@ -424,25 +424,10 @@ namespace vfife
 
   std::vector<unsigned int> FemSpace::face_points(const unsigned int e, const unsigned int f) const
   {
-    // Points of an element are numbered with x fastest; a face lies at one end of its normal
-    // direction d and is run through along d + 1 and d + 2, on the lower side the other way round
-    // (find_boundary_faces).
-    const unsigned int  n         = degree() + 1;
-    const unsigned int *points    = element_points(e);
-    const unsigned int  direction = f / 2, side = f % 2;
-    const unsigned int  first = (direction + (side == 1 ? 1 : 2)) % 3,
-                       second = (direction + (side == 1 ? 2 : 1)) % 3;
-    std::vector<unsigned int> of_face;
-    for (unsigned int j = 0; j < n; ++j)
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          std::array<unsigned int, 3> at;
-          at[direction] = side * (n - 1);
-          at[first]     = i;
-          at[second]    = j;
-          of_face.push_back(points[at[0] + n * (at[1] + n * at[2])]);
-        }
-    return of_face;
+    std::vector<unsigned int> points = numbers_on_face(degree(), f);
+    for (unsigned int &point : points)
+      point = element_points(e)[point];
+    return points;
   }
 
   std::vector<std::vector<unsigned int>>

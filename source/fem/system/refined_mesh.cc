@@ -2,43 +2,15 @@
 #include "refined_mesh.h"
 
 #include <vfife/base/errors.h>
-#include <vfife/base/text/nearest_name.h>
-#include <vfife/mesh/node_set_names.h>
 #include <vfife/model/load_shares.h>
 
 #include <algorithm>
-#include <set>
 
 namespace vfife
 {
   namespace
   {
     using Cell = RefinedMesh::Cell;
-
-    constexpr char everywhere[] = "all";
-
-    /** The node sets that a name means. */
-    std::vector<std::string> sets_of(const std::string &name)
-    {
-      if (name == "fillets")
-        return {node_set::concave_fillet, node_set::convex_fillet};
-      if (name == "flanks")
-        return {surface_name::concave, surface_name::convex};
-      return {name};
-    }
-
-    /** The nodes of a set or surface, sorted; none where the body has neither. */
-    std::vector<unsigned int> nodes_of(const Body &body, const std::string &name)
-    {
-      if (body.has_node_set(name))
-        return body.node_set(name);
-      const BodyMesh        &mesh    = body.mesh();
-      const auto             surface = mesh.surfaces.find(mesh.find_spelling(name));
-      std::set<unsigned int> nodes;
-      if (surface != mesh.surfaces.end())
-        nodes.insert(surface->second.nodes.begin(), surface->second.nodes.end());
-      return {nodes.begin(), nodes.end()};
-    }
 
     /** The element of the coarsest mesh that has the cell in it. */
     unsigned int root_of(Cell cell)
@@ -63,10 +35,11 @@ namespace vfife
     }
 
     /** Flags the active cells that touch the set by a corner. */
-    void flag_around(const Body &body, const std::string &set, dealii::Triangulation<3> &mesh)
+    void flag_around(const Body                      &body,
+                     const std::vector<unsigned int> &nodes,
+                     dealii::Triangulation<3>        &mesh)
     {
-      const std::vector<unsigned int> nodes = nodes_of(body, set);
-      std::vector<bool>               marked(mesh.n_vertices(), false);
+      std::vector<bool> marked(mesh.n_vertices(), false);
       for (const unsigned int node : nodes)
         marked[node] = true;
       for (const BoundaryFace &face : find_boundary_faces(body, nodes))
@@ -134,11 +107,11 @@ namespace vfife
           break;
         copy(body);
         for (const LocalRefinement &asked : refinements)
-          if (asked.times >= step && asked.around == everywhere)
+          if (asked.times >= step && is_everywhere(asked))
             own_->set_all_refine_flags();
           else if (asked.times >= step)
-            for (const std::string &set : sets_of(asked.around))
-              flag_around(body, set, *own_);
+            for (const std::vector<unsigned int> &nodes : nodes_of_refinement(asked, body))
+              flag_around(body, nodes, *own_);
         flag_across_borders(body.structure(), *own_);
         own_->execute_coarsening_and_refinement();
       }
@@ -223,30 +196,6 @@ namespace vfife
           if ((c >> (f / 2) & 1u) == f % 2)
             outer |= faces & (1u << f);
         add_elements(cell->child(c), parent, outer);
-      }
-  }
-
-  void check_refinements(const Model &model, const std::vector<LocalRefinement> &refinements)
-  {
-    for (const LocalRefinement &asked : refinements)
-      {
-        if (asked.around == everywhere)
-          continue;
-        std::vector<std::string> known = {"all", "fillets", "flanks"};
-        bool                     found = false;
-        for (const Body &body : model.bodies)
-          {
-            for (const std::string &set : sets_of(asked.around))
-              found = found || !nodes_of(body, set).empty();
-            for (const auto &set : body.mesh().node_sets)
-              known.push_back(set.first);
-            for (const auto &surface : body.mesh().surfaces)
-              known.push_back(surface.first);
-          }
-        if (!found)
-          throw InputError("Fem/local refinement",
-                           "expected all or the name of a surface or node set, got \"" +
-                             asked.around + "\"" + did_you_mean(asked.around, known));
       }
   }
 } // namespace vfife

@@ -73,9 +73,6 @@ namespace vfife
     std::vector<Element>                      elements_;
     std::vector<unsigned int>                 first_;
   };
-
-  /** Throws InputError where no body of the model has the surface or node set. */
-  void check_refinements(const Model &model, const std::vector<LocalRefinement> &refinements);
 } // namespace vfife
 
 #endif

@@ -4,11 +4,34 @@
 #include <vfife/model/constraints/held_direction.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 
 #include <cmath>
 
 namespace vfife
 {
+  namespace
+  {
+    Eigen::MatrixXd as_columns(const std::vector<std::vector<double>> &fields)
+    {
+      Eigen::MatrixXd columns(fields.empty() ? 0 : fields.front().size(), fields.size());
+      for (std::size_t k = 0; k < fields.size(); ++k)
+        columns.col(k) = Eigen::Map<const Eigen::VectorXd>(fields[k].data(), fields[k].size());
+      return columns;
+    }
+  } // namespace
+
+  Eigen::MatrixXd
+  find_free_coefficients(const FemSpace &space, const FemSpace::Part &part, const Vector3 &centre)
+  {
+    const auto free = find_free_motions(space, part);
+    if (free.empty())
+      return Eigen::MatrixXd(6, 0);
+    return as_columns(make_rigid_motions(space, part, centre))
+      .colPivHouseholderQr()
+      .solve(as_columns(free));
+  }
+
   std::vector<std::vector<double>>
   make_rigid_motions(const FemSpace &space, const FemSpace::Part &part, const Vector3 &centre)
   {

@@ -9,8 +9,10 @@
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/base/text/number_text.h>
 #include <vfife/dynamics/dynamics_options.h>
+#include <vfife/fem/distributed/distributed_checks.h>
+#include <vfife/fem/distributed/distributed_statics.h>
 #include <vfife/fem/statics/adaptive_refinement.h>
-#include <vfife/fem/statics/reactions.h>
+#include <vfife/fem/statics/nodal_solution.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>
 #include <vfife/model/constraints/supports.h>
@@ -41,21 +43,23 @@ namespace vfife
 {
   namespace
   {
-    /** Stresses of the model's nodes, as displacements, in the fixed frame at time zero. Bodies
-     * that are not part of the space show zeros. */
-    ProbeValue find_probe_value(const Probe               &probe,
-                                const FemSpace            &space,
-                                const StaticResult        &result,
-                                const std::vector<Stress> &stresses)
+    /** The solution on one mesh. */
+    struct Solution : NodalSolution
     {
-      const FemSpace::Part *const part = space.find_part(probe.body);
-      if (part == nullptr)
-        return {};
-      const Body       &body   = space.model().bodies[probe.body];
-      const Matrix3     frame  = body.placement.rotation;
-      const std::size_t row    = 3 * std::size_t(part->first_point + probe.node);
-      const Vector3     moved  = Eigen::Map<const Vector3>(result.displacements.data() + row);
-      const Stress     &stress = stresses[body.first_node + probe.node];
+      std::unique_ptr<StaticSolver> solver; ///< none on a distributed mesh
+      StaticResult                  result;
+    };
+
+    /** Stresses of the model's nodes, as displacements, in the fixed frame at time zero. Bodies
+     * that are not part of the solution show zeros. */
+    ProbeValue
+    find_probe_value(const Probe &probe, const Model &model, const NodalSolution &solution)
+    {
+      const Body   &body   = model.bodies[probe.body];
+      const Matrix3 frame  = body.placement.rotation;
+      const auto    node   = std::size_t(body.first_node + probe.node);
+      const Vector3 moved  = Eigen::Map<const Vector3>(solution.displacements.data() + 3 * node);
+      const Stress &stress = solution.stresses[node];
       if (probe.fixed_axes)
         return make_probe_value(moved, stress, {frame});
       const Matrix3 axes = compute_cylindrical_axes(body, body.node_positions()[probe.node]);
@@ -67,83 +71,57 @@ namespace vfife
     /** Words for LinearStaticOptions::at_time. */
     const Choices<bool> load_choices = {{"full", false}, {"at time", true}};
 
-    /** @p part 's displacements [mm], 3 a node: points of a body are in the order of its nodes. */
-    std::vector<double>
-    displacements_of(const FemSpace::Part &part, const Body &body, const StaticResult &result)
-    {
-      const auto first = result.displacements.begin() + 3 * std::size_t(part.first_point);
-      return {first, first + 3 * std::size_t(body.n_nodes())};
-    }
-
     /** One file a body: displacements, stresses in its cylindrical axes, von Mises. */
-    void write_fields(const OutputFolder        &folder,
-                      const FemSpace            &space,
-                      const StaticResult        &result,
-                      const std::vector<Stress> &stresses)
+    void write_fields(const OutputFolder              &folder,
+                      const Model                     &model,
+                      const std::vector<unsigned int> &bodies,
+                      const NodalSolution             &solution)
     {
       folder.make_subfolder("fields");
-      for (const FemSpace::Part &part : space.parts())
+      for (const unsigned int b : bodies)
         {
-          const Body           &body   = space.model().bodies[part.body];
+          const Body           &body   = model.bodies[b];
           std::vector<VtuArray> fields = make_stress_arrays();
           for (unsigned int i = 0; i < body.n_nodes(); ++i)
             {
               // Stresses of the solver are along the fixed axes; r, theta, z are those of the
               // node's own place.
-              const Stress &stress = stresses[body.first_node + i];
+              const Stress &stress = solution.stresses[body.first_node + i];
               add_stress(turn_stress(stress,
                                      body.placement.rotation *
                                        compute_cylindrical_axes(body, body.node_positions()[i])),
                          stress,
                          fields.begin());
             }
+          const auto first = solution.displacements.begin() + 3 * std::size_t(body.first_node);
           write_shapes(folder,
                        "fields/" + body.name() + ".vtu",
                        body,
-                       {{"displacement", displacements_of(part, body, result), "mm"}},
+                       {{"displacement", {first, first + 3 * std::size_t(body.n_nodes())}, "mm"}},
                        std::move(fields));
         }
     }
 
-    /** The solution on one mesh. */
-    struct Solution
-    {
-      std::unique_ptr<StaticSolver> solver;
-      StaticResult                  result;
-      std::vector<Stress>           stresses;
-
-      const FemSpace &space() const
-      {
-        return solver->space();
-      }
-    };
-
     /** Key numbers. */
-    NamedFigures list_figures(const Solution &solution)
+    NamedFigures list_figures(const NodalSolution &solution)
     {
-      const std::vector<double> &u       = solution.result.displacements;
-      double                     largest = 0, stress = 0;
-      for (std::size_t i = 0; i < u.size(); i += 3)
-        largest = std::max(largest, Eigen::Map<const Vector3>(u.data() + i).norm());
+      double stress = 0;
       for (const Stress &here : solution.stresses)
         stress = std::max(stress, von_mises(here));
-      return {{"strain energy", {solution.result.strain_energy, "mJ"}},
-              {"largest displacement", {1e3 * largest, "um"}},
+      return {{"strain energy", {solution.strain_energy, "mJ"}},
+              {"largest displacement", {1e3 * solution.largest_displacement, "um"}},
               {"largest von mises", {stress, "MPa"}}};
     }
 
     /** Names of the results that can end the adaptive refinement, with their values of a solution
      * (nullptr: none yet): key numbers, and quantities of probes as columns of history.csv. */
-    NamedFigures list_results(const Model &model, const Solution *const solution)
+    NamedFigures list_results(const Model &model, const NodalSolution *const solution)
     {
-      const Solution none;
-      NamedFigures   results = list_figures(solution != nullptr ? *solution : none);
+      NamedFigures results = list_figures(solution != nullptr ? *solution : NodalSolution());
       for (const Probe &probe : model.probes)
         {
           const ProbeValue value =
-            solution == nullptr
-              ? ProbeValue()
-              : find_probe_value(probe, solution->space(), solution->result, solution->stresses);
+            solution == nullptr ? ProbeValue() : find_probe_value(probe, model, *solution);
           for (const ProbeQuantity &quantity : list_probe_quantities(
                  probe.fixed_axes ? column::fixed_axes : column::cylindrical_axes))
             results.push_back(
@@ -186,7 +164,7 @@ namespace vfife
         const std::string        &name   = options_.adapted_result;
         const Figure              figure = find_result(name, list_results(model_, &solution));
         const double              value  = figure.value;
-        const FemSpace           &space  = solution.space();
+        const FemSpace           &space  = solution.solver->space();
         const std::vector<double> errors = estimate_errors(space, solution.result.displacements);
         const double              step   = table_.n_rows();
         const double              last   = step == 0 ? value : table_.numbers("value").back();
@@ -233,13 +211,14 @@ namespace vfife
     };
 
     /** A row a support of the bodies looked at: what it exerts on its nodes. */
-    Table list_reactions(const FemSpace &space, const std::vector<Reaction> &reactions)
+    Table list_reactions(const Model                     &model,
+                         const std::vector<unsigned int> &bodies,
+                         const std::vector<Reaction>     &reactions)
     {
       Table                      table    = make_reaction_table();
-      const Model               &model    = space.model();
       const std::vector<Support> supports = list_supports(model);
       for (std::size_t s = 0; s < supports.size(); ++s)
-        if (space.find_part(supports[s].body) != nullptr)
+        if (std::find(bodies.begin(), bodies.end(), supports[s].body) != bodies.end())
           {
             // The moment about the origin, moved to a point of the axis.
             const Body    &body  = model.bodies[supports[s].body];
@@ -291,6 +270,11 @@ namespace vfife
                            "must be no, because loads require the whole body");
         if (fem_.speeds != FemOptions().speeds)
           throw InputError("Fem/speeds", "must be 0, because each body has its own speed");
+        check_distributed(fem_);
+        if (fem_.distributed && !options_.adapted_result.empty())
+          throw InputError("Linear static/Adaptive refinement/result",
+                           "expected no result with Fem/distributed = yes, got \"" +
+                             options_.adapted_result + "\". Set Fem/local refinement instead.");
       }
 
       void inspect(Communicator &, Log &log) override
@@ -319,11 +303,14 @@ namespace vfife
                      const OutputFolder &folder,
                      NamedFigures       &figures,
                      Log                &log) const;
-      void     write_probes(const OutputFolder        &folder,
-                            const Model               &model,
-                            const FemSpace            &space,
-                            const StaticResult        &result,
-                            const std::vector<Stress> &stresses) const;
+      /** On a mesh that is distributed to the ranks; writes the fields of all points. */
+      Solution solve_distributed(const Model        &model,
+                                 const StaticLoads  &loads,
+                                 const OutputFolder &folder,
+                                 Log                &log) const;
+      void     write_probes(const OutputFolder  &folder,
+                            const Model         &model,
+                            const NodalSolution &solution) const;
 
       std::unique_ptr<Case> case_;
       DynamicsOptions       dynamics_;
@@ -420,22 +407,21 @@ namespace vfife
   {
     Model model = case_->make_model(log);
     refuse_what_is_not_linear(model);
+    check_distributed(fem_, model, find_chosen_bodies(fem_, model), options_.centrifugal);
     return model;
   }
 
-  void LinearStaticStudy::write_probes(const OutputFolder        &folder,
-                                       const Model               &model,
-                                       const FemSpace            &space,
-                                       const StaticResult        &result,
-                                       const std::vector<Stress> &stresses) const
+  void LinearStaticStudy::write_probes(const OutputFolder  &folder,
+                                       const Model         &model,
+                                       const NodalSolution &solution) const
   {
     // Observers write what they are shown: a state that holds what a row of the probes asks for.
     State state;
     state.time = options_.at_time ? options_.time : 1.; // as in `static`, the part of the loads
-    state.measured.energy.strain = result.strain_energy;
-    state.measured.reactions     = compute_reactions(space, result);
+    state.measured.energy.strain = solution.strain_energy;
+    state.measured.reactions     = solution.reactions;
     for (const Probe &probe : model.probes)
-      state.measured.probes.push_back(find_probe_value(probe, space, result, stresses));
+      state.measured.probes.push_back(find_probe_value(probe, model, solution));
     Observers observers;
     if (!model.transmission)
       observers.push_back(std::make_unique<HistoryWriter>(folder, model, 1));
@@ -448,6 +434,24 @@ namespace vfife
       }
   }
 
+  Solution LinearStaticStudy::solve_distributed(const Model        &model,
+                                                const StaticLoads  &loads,
+                                                const OutputFolder &folder,
+                                                Log                &log) const
+  {
+    const unsigned int b = find_chosen_bodies(fem_, model).front();
+    log.line("the mesh of ", model.bodies[b].name(), " is distributed to the ranks");
+    DistributedStatics solver(model, b, fem_, folder.communicator());
+    Solution           solution;
+    static_cast<NodalSolution &>(solution) = solver.solve(loads);
+    if (output_.fields_every > 0)
+      {
+        folder.make_subfolder("fields");
+        write_mesh_fields(folder, "fields/" + model.bodies[b].name(), solver.fields());
+      }
+    return solution;
+  }
+
   Solution LinearStaticStudy::solve(const Model        &model,
                                     const StaticLoads  &loads,
                                     const HubRotation   rotation,
@@ -455,6 +459,8 @@ namespace vfife
                                     NamedFigures       &figures,
                                     Log                &log) const
   {
+    if (fem_.distributed)
+      return solve_distributed(model, loads, folder, log);
     const std::vector<unsigned int> bodies = find_chosen_bodies(fem_, model);
     log_housing(model, bodies, log);
     if (options_.centrifugal)
@@ -467,8 +473,9 @@ namespace vfife
       Solution solution;
       solution.solver =
         std::make_unique<StaticSolver>(model, bodies, fem, folder.communicator(), rotation);
-      solution.result   = solution.solver->solve(loads);
-      solution.stresses = solution.solver->compute_node_stresses(solution.result);
+      solution.result = solution.solver->solve(loads);
+      static_cast<NodalSolution &>(solution) =
+        make_nodal_solution(*solution.solver, solution.result);
       return solution;
     };
     if (options_.adapted_result.empty())
@@ -500,11 +507,10 @@ namespace vfife
           rotation = HubRotation::pinned; // spin has no moment about the axis
       }
     // 2. The solution, and stresses at the nodes.
-    NamedFigures        of_steps;
-    const Solution      solution = solve(model, loads, rotation, folder, of_steps, log);
-    const FemSpace     &space    = solution.space();
-    const StaticResult &result   = solution.result;
-    summary.run_time             = seconds_since(start);
+    NamedFigures                    of_steps;
+    const std::vector<unsigned int> bodies   = find_chosen_bodies(fem_, model);
+    const Solution                  solution = solve(model, loads, rotation, folder, of_steps, log);
+    summary.run_time                         = seconds_since(start);
 
     // Key numbers, then probes, fields and reactions.
     summary.figures = list_figures(solution);
@@ -514,19 +520,19 @@ namespace vfife
              " um, largest von Mises stress ",
              summary.figures[2].second.value,
              " MPa, strain energy ",
-             result.strain_energy,
+             solution.strain_energy,
              " mJ; ",
-             3 * space.n_points(),
+             solution.n_displacements,
              " displacements, ",
-             result.n_iterations,
+             solution.n_iterations,
              " iterations, ",
              summary.run_time,
              " s");
 
-    write_probes(folder, model, space, result, solution.stresses);
+    write_probes(folder, model, solution);
     if (output_.fields_every > 0)
-      write_fields(folder, space, result, solution.stresses);
-    write_csv(folder, "reactions.csv", list_reactions(space, compute_reactions(space, result)));
+      write_fields(folder, model, bodies, solution);
+    write_csv(folder, "reactions.csv", list_reactions(model, bodies, solution.reactions));
     write_summary(folder, summary, log);
     if (output_.pictures)
       draw_pictures(folder, log);

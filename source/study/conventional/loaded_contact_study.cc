@@ -126,6 +126,10 @@ namespace vfife
         gear_case_.operation().require_constant("Operation", study_word);
         dynamics_.check("Dynamics");
         fem_.check("Fem");
+        if (fem_.distributed)
+          throw InputError("Fem/distributed",
+                           "expected no, got yes. Only the kinds linear static and modal have "
+                           "distributed meshes. Set no.");
         fillets_.check();
       }
 

@@ -6,6 +6,8 @@
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
 #include <vfife/dynamics/dynamics_options.h>
+#include <vfife/fem/distributed/distributed_checks.h>
+#include <vfife/fem/distributed/distributed_modes.h>
 #include <vfife/fem/fem_options.h>
 #include <vfife/fem/modes/campbell.h>
 #include <vfife/mesh/body_mesh.h>
@@ -25,6 +27,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <sstream>
 
 namespace vfife
@@ -54,11 +57,12 @@ namespace vfife
         dynamics_.check("Dynamics");
         output_.check("Output");
         fem_.check("Fem");
+        check_distributed(fem_);
       }
 
       void inspect(Communicator &, Log &log) override
       {
-        const Model model = case_->make_model(log);
+        const Model model = make_model(log);
         for (const unsigned int b : find_chosen_bodies(fem_, model))
           log.line("modes of the ",
                    model.bodies[b].name(),
@@ -72,6 +76,18 @@ namespace vfife
       void run(OutputFolder &folder, Log &log) override;
 
     private:
+      Model make_model(Log &log) const
+      {
+        Model model = case_->make_model(log);
+        check_distributed(fem_, model, find_chosen_bodies(fem_, model), false);
+        return model;
+      }
+      /** All modes at rest, on a mesh that is distributed to the ranks; writes their shapes at all
+       * points. */
+      ModesAtSpeed find_distributed_modes(const Model        &model,
+                                          unsigned int        body,
+                                          const OutputFolder &folder,
+                                          Log                &log) const;
       void solve_body(const Model &model, unsigned int body, const OutputFolder &folder, Log &log);
       void log_damping(const ModesAtSpeed &found, double zeta, Log &log) const;
 
@@ -100,7 +116,7 @@ namespace vfife
   void ModalStudy::run(OutputFolder &folder, Log &log)
   {
     log.set_verbosity(output_.verbosity);
-    const Model model   = case_->make_model(log);
+    const Model model   = make_model(log);
     RunSummary  summary = start_summary("modal", model, folder);
     const auto  start   = WallClock::now();
     folder.make_subfolder("modes");
@@ -138,13 +154,31 @@ namespace vfife
              " % of the highest (modes.csv)");
   }
 
+  ModesAtSpeed ModalStudy::find_distributed_modes(const Model        &model,
+                                                  const unsigned int  b,
+                                                  const OutputFolder &folder,
+                                                  Log                &log) const
+  {
+    DistributedModes modes(model, b, fem_, folder.communicator());
+    ModesAtSpeed     found = modes.find_modes();
+    log.line("the mesh of ",
+             model.bodies[b].name(),
+             " is distributed to the ranks; LOBPCG, ",
+             modes.n_iterations(),
+             " iterations; modes are not counted, so that one may be missing");
+    write_mesh_fields(folder, "modes/" + model.bodies[b].name() + "_0_rpm", modes.fields());
+    return found;
+  }
+
   void ModalStudy::solve_body(const Model        &model,
                               const unsigned int  b,
                               const OutputFolder &folder,
                               Log                &log)
   {
-    const Body               &body = model.bodies[b];
-    const RotatingBody        rotating(model, b, fem_, folder.communicator());
+    const Body                         &body = model.bodies[b];
+    std::unique_ptr<const RotatingBody> rotating;
+    if (!fem_.distributed)
+      rotating = std::make_unique<RotatingBody>(model, b, fem_, folder.communicator());
     std::vector<ModesAtSpeed> speeds;
     log_housing(model, {b}, log);
     const std::vector<double> rates = fem_.rates();
@@ -158,8 +192,9 @@ namespace vfife
     for (const double rate : rates)
       {
         // Each speed is a problem of its own: stresses of its spin, its Coriolis forces.
-        const auto   start   = WallClock::now();
-        ModesAtSpeed found   = rotating.find_modes(rate);
+        const auto   start = WallClock::now();
+        ModesAtSpeed found =
+          rotating ? rotating->find_modes(rate) : find_distributed_modes(model, b, folder, log);
         const double seconds = seconds_since(start);
         log.line(body.name(),
                  " at ",

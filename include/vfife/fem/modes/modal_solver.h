@@ -49,9 +49,20 @@ namespace vfife
    * square of that, and beyond it may not be a mode. @p frequency [Hz] names it. */
   void check_residual(double residual, double frequency);
 
+  /** Throws NumericalError for modes that are not orthogonal, by compute_orthogonality_defect(). */
+  void check_orthogonality(double defect);
+
   /** -1e-10 of the largest K_ii/M_ii [rad^2/s^2]: far above the round-off of eigenvalues, far below
    * the modes that a mesh resolves. Collective. */
   double choose_shift(const FemMatrix &stiffness, const FemMatrix &mass);
+  /** The same of the owned diagonals. */
+  double choose_shift(const OwnedVector  &stiffness,
+                      const OwnedVector  &mass,
+                      const Communicator &communicator);
+
+  /** Modes beyond those asked for: among them the gap for counting is looked for, and a double mode
+   * at the end is not cut in two. */
+  constexpr unsigned int n_guard_modes = 6;
 
   /**
    * The lowest modes of K x = omega^2 M x. The shift is that of choose_shift(), so that free bodies
@@ -102,7 +113,6 @@ namespace vfife
     find_by_factorization(const FemMatrix &stiffness, const FemMatrix &mass, double shift) const;
     Found find_by_lobpcg(FemMatrix stiffness, const FemMatrix &mass, double shift) const;
     void  add_effective_masses(ModalResult &result) const;
-    void  check_orthogonality(const FemMatrix &mass, const std::vector<OwnedVector> &x) const;
 
     const FemSystem &system_;
     FemOptions       options_;

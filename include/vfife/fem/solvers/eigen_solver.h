@@ -2,7 +2,7 @@
 #ifndef vfife_fem_solvers_eigen_solver_h
 #define vfife_fem_solvers_eigen_solver_h
 
-#include <vfife/fem/system/fem_matrix.h>
+#include <vfife/fem/solvers/columns.h>
 
 namespace vfife
 {
@@ -38,14 +38,36 @@ namespace vfife
                           unsigned int                    n,
                           double                          tolerance);
 
+  /**
+   * The same of operators: A = K - shift M, about its inverse, and M. @p mass_diagonal: owned
+   * entries of M from row @p first_row on, zero where nothing moves.
+   */
+  EigenPairs solve_lobpcg(const ColumnOperator &A,
+                          const ColumnOperator &inverse,
+                          const ColumnOperator &mass,
+                          const OwnedVector    &mass_diagonal,
+                          unsigned int          first_row,
+                          const Communicator   &communicator,
+                          double                shift,
+                          unsigned int          n,
+                          double                tolerance);
+
   /** |K x - lambda M x| / (max(|lambda|, |scale|) |M x|) of each pair. Collective. */
   std::vector<double> compute_residuals(const FemMatrix  &stiffness,
                                         const FemMatrix  &mass,
                                         const EigenPairs &pairs,
                                         double            scale);
+  std::vector<double> compute_residuals(const ColumnOperator &stiffness,
+                                        const ColumnOperator &mass,
+                                        const Communicator   &communicator,
+                                        const EigenPairs     &pairs,
+                                        double                scale);
 
   /** Largest |x_i^T M x_j - delta_ij|. Collective. */
   double compute_orthogonality_defect(const FemMatrix                &mass,
+                                      const std::vector<OwnedVector> &vectors);
+  double compute_orthogonality_defect(const ColumnOperator           &mass,
+                                      const Communicator             &communicator,
                                       const std::vector<OwnedVector> &vectors);
 } // namespace vfife
 

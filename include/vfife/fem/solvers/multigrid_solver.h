@@ -4,7 +4,18 @@
 
 #include <vfife/fem/solvers/columns.h>
 
+#include <deal.II/dofs/dof_handler.h>
+
+#include <functional>
 #include <memory>
+
+namespace dealii
+{
+  template <typename>
+  class AffineConstraints;
+  template <typename>
+  class FullMatrix;
+} // namespace dealii
 
 namespace vfife
 {
@@ -21,6 +32,18 @@ namespace vfife
      * deal.II has no such preconditioner.
      */
     MultigridSolver(const FemMatrix &matrix, const std::vector<OwnedVector> &near_kernel);
+
+    /** Matrix of a cell, in the order of its degrees of freedom. */
+    using CellMatrix = std::function<dealii::FullMatrix<double>(
+      const dealii::DoFHandler<3>::active_cell_iterator &)>;
+
+    /** Of a matrix that is summed over the cells of this rank, T^T A T with @p lines of T; the
+     * three degrees of freedom of a point follow each other. */
+    MultigridSolver(const dealii::DoFHandler<3>             &dofs,
+                    const dealii::AffineConstraints<double> &lines,
+                    const CellMatrix                        &cell_matrix,
+                    const std::vector<OwnedVector>          &near_kernel,
+                    const Communicator                      &communicator);
     ~MultigridSolver();
     MultigridSolver(const MultigridSolver &)            = delete;
     MultigridSolver &operator=(const MultigridSolver &) = delete;
@@ -48,6 +71,10 @@ namespace vfife
     std::unique_ptr<Operators> operators_;
     unsigned int               n_iterations_ = 0;
   };
+
+  /** Throws NumericalError with the residual reached (over the load) where conjugate gradients have
+   * stopped far above @p tolerance. */
+  void check_conjugate_gradients(double residual, unsigned int n_iterations, double tolerance);
 } // namespace vfife
 
 #endif

@@ -93,6 +93,9 @@ namespace vfife
     std::vector<unsigned int> pinned_; ///< shafts that turn freely in their bearings
   };
 
+  /** Throws InputError for a body with so many free rigid motions, if there are any. */
+  void refuse_free_motions(const Body &body, std::size_t n);
+
   /**
    * Stresses at the model's nodes (xx yy zz xy yz zx, fixed frame [MPa]) under displacements of all
    * points (3 a point), averages of the values of the elements that meet there; zero on bodies that

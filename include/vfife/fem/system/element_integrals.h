@@ -26,8 +26,16 @@ namespace vfife
   /** Degree of the displacements along an edge: 1, 2 or 3. */
   unsigned int degree_of(FemElement element);
 
+  /** Gauss points along each axis. Gradients times det J have degree 3 degree - 1 on curved
+   * elements; to integrate them exactly is the patch test. */
+  unsigned int n_gauss(unsigned int degree);
+
   /** Places in [0, 1] of the points along an edge, those of dealii::FE_Q. */
   std::vector<double> places_along(unsigned int degree);
+
+  /** The points of an element's face @p f, seen from outside row by row, each row along the side
+   * from corner 0 to 1 of BoundaryFace. */
+  std::vector<unsigned int> numbers_on_face(unsigned int degree, unsigned int f);
 
   /**
    * consistent: rho int N_a N_b dV; lumped: its row sums (8 points, the masses of explicit

@@ -134,6 +134,10 @@ namespace vfife
   std::vector<std::vector<double>> find_free_motions(const FemSpace       &space,
                                                      const FemSpace::Part &part);
 
+  /** Coefficients of these, a column each, in make_rigid_motions() about @p centre. */
+  Eigen::MatrixXd
+  find_free_coefficients(const FemSpace &space, const FemSpace::Part &part, const Vector3 &centre);
+
   /** The six rigid motions of @p part, three translations and three rotations about @p centre. */
   std::vector<std::vector<double>>
   make_rigid_motions(const FemSpace &space, const FemSpace::Part &part, const Vector3 &centre);

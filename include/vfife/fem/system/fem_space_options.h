@@ -10,6 +10,9 @@
 
 namespace vfife
 {
+  class Body;
+  struct Model;
+
   /** Where an element's points between its corners lie. */
   enum class FemGeometry
   {
@@ -31,6 +34,16 @@ namespace vfife
 
   /** Reads "NAME TIMES" each, 1 to 5 times. Throws InputError. */
   std::vector<LocalRefinement> read_local_refinements(const std::vector<std::string> &texts);
+
+  /** Whether it divides all elements. */
+  bool is_everywhere(const LocalRefinement &refinement);
+
+  /** The nodes of the node sets and surfaces that a refinement names, a list each. */
+  std::vector<std::vector<unsigned int>> nodes_of_refinement(const LocalRefinement &refinement,
+                                                             const Body            &body);
+
+  /** Throws InputError where no body of the model has the surface or node set. */
+  void check_refinements(const Model &model, const std::vector<LocalRefinement> &refinements);
 
   /** What a FemSpace is made of. */
   struct FemSpaceOptions

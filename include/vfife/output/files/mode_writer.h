@@ -11,6 +11,7 @@ namespace vfife
 {
   class Body;
   class OutputFolder;
+  struct MeshFields;
 
   /** Displacements of the nodes of a body, 3 a node, under a name such as "mode 3". */
   struct NamedShape
@@ -32,6 +33,15 @@ namespace vfife
                     const Body                    &body,
                     const std::vector<NamedShape> &shapes,
                     std::vector<VtuArray>          fields = {});
+
+  /**
+   * Writes fields on the mesh on which they are computed, points between nodes included, to the
+   * file
+   * @p name + ".pvtu" and one .vtu file per rank beside it; nothing where there is no folder on a
+   * disk. Collective.
+   */
+  void
+  write_mesh_fields(const OutputFolder &folder, const std::string &name, const MeshFields &fields);
 } // namespace vfife
 
 #endif
