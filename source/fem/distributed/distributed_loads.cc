@@ -157,29 +157,18 @@ namespace vfife
     for (const unsigned int node : load.nodes)
       selected[node] = true;
     level.for_elements([&](const DofLevel::Element &element) {
-      const auto           &corners = body.elements()[element.place.element];
+      const auto         &corners = body.elements()[element.place.element];
+      std::array<bool, 8> of_corners;
+      for (unsigned int v = 0; v < 8; ++v)
+        of_corners[v] = selected[corners[v]];
       const Eigen::VectorXd masses =
-        compute_mass_coefficients(level.element_nodes(element),
-                                  body.material(element.place.element).density,
-                                  MassKind::consistent)
-          .rowwise()
-          .sum();
+        compute_selected_masses(level.element_nodes(element),
+                                body.material(element.place.element).density,
+                                level.degree(),
+                                of_corners);
       for (std::size_t a = 0; a < element.points.size(); ++a)
-        {
-          // Of a point between corners the part of those that are among the nodes.
-          const dealii::Point<3> &unit      = level.unit_points()[a];
-          double                  n_corners = 0, inside = 0;
-          for (unsigned int v = 0; v < 8; ++v)
-            {
-              bool spans = true;
-              for (unsigned int d = 0; d < 3; ++d)
-                spans = spans && ((v >> d & 1u) != 0 ? unit[d] > 0. : unit[d] < 1.);
-              n_corners += spans ? 1. : 0.;
-              inside += spans && selected[corners[v]] ? 1. : 0.;
-            }
-          if (inside > 0)
-            add(element.points[a], factor * inside / n_corners * masses[a] * load.vector);
-        }
+        if (masses[a] != 0.)
+          add(element.points[a], factor * masses[a] * load.vector);
     });
   }
 

@@ -5,6 +5,7 @@
 
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
+#include <vfife/fem/system/element_integrals.h>
 #include <vfife/mesh/body_mesh.h>
 
 #include <deal.II/distributed/tria.h>
@@ -101,17 +102,11 @@ namespace vfife
     // Numbers are sums of powers of two where they are 0 or 1, and therefore exact.
     const auto               &corners = body_.elements()[place.element];
     std::vector<unsigned int> nodes;
-    for (unsigned int v = 0; v < 8; ++v)
-      {
-        bool spans = true;
-        for (unsigned int d = 0; d < 3; ++d)
-          {
-            const double along = place.origin[d] + place.size * unit[d];
-            spans              = spans && ((v >> d & 1u) != 0 ? along > 0. : along < 1.);
-          }
-        if (spans)
-          nodes.push_back(corners[v]);
-      }
+    Vector3                   along;
+    for (unsigned int d = 0; d < 3; ++d)
+      along[d] = place.origin[d] + place.size * unit[d];
+    for (const unsigned int v : corners_around(along))
+      nodes.push_back(corners[v]);
     std::sort(nodes.begin(), nodes.end());
     return nodes;
   }

@@ -16,16 +16,6 @@ namespace vfife
 {
   namespace
   {
-    void copy_owned(const double *const values, DistributedVector &vector)
-    {
-      std::copy_n(values, vector.locally_owned_size(), vector.begin());
-    }
-
-    OwnedVector owned_part(const DistributedVector &vector)
-    {
-      return OwnedVector(vector.begin(), vector.begin() + vector.locally_owned_size());
-    }
-
     /** Applies an operator on deal.II's vectors to one column after the other. */
     class OnUnknowns : public ColumnOperator
     {
@@ -81,8 +71,6 @@ namespace vfife
     }
 
     EigenPairs find_pairs(const ColumnOperator &mass, double shift);
-    /** The six rigid motions of make_rigid_motions() about the axis point. */
-    std::vector<DistributedVector> make_rigid_fields() const;
     /** By mode, the part of its kinetic energy in rigid motions that nothing opposes. */
     std::vector<double> find_rigid_shares(const ColumnOperator          &mass,
                                           const Columns                 &x,
@@ -151,27 +139,6 @@ namespace vfife
                         options.eigen_tolerance);
   }
 
-  std::vector<DistributedVector> DistributedModes::Parts::make_rigid_fields() const
-  {
-    const DofLevel                &level = space.level();
-    std::vector<DistributedVector> fields(6, level.make_vector());
-    level.for_elements([&](const DofLevel::Element &element) {
-      for (const PointDofs &dofs : element.points)
-        if (level.owned().is_element(dofs[0]))
-          {
-            const Vector3 place = value_at(dofs, level.places()) - model.bodies[body].axis.point;
-            for (unsigned int d = 0; d < 3; ++d)
-              {
-                fields[d](dofs[d]) = 1.;
-                const Vector3 turn = Vector3::Unit(d).cross(place);
-                for (unsigned int c = 0; c < 3; ++c)
-                  fields[3 + d](dofs[c]) = turn[c];
-              }
-          }
-    });
-    return fields;
-  }
-
   std::vector<double>
   DistributedModes::Parts::find_rigid_shares(const ColumnOperator          &mass,
                                              const Columns                 &x,
@@ -184,14 +151,8 @@ namespace vfife
     std::vector<double> shares(x.n(), 0.);
     if (free.cols() == 0)
       return shares;
-    std::vector<OwnedVector> motions;
-    for (DistributedVector &field : rigid)
-      {
-        supports.clear_dependent(field);
-        motions.push_back(owned_part(field));
-      }
     // Of x = R c + rest, the square of R c over that of x, in the product of M.
-    const Columns         R(communicator, motions);
+    const Columns         R(communicator, supports.unknowns_of(std::move(rigid)));
     const Columns         MR     = apply_to(mass, R);
     const Eigen::MatrixXd square = free.transpose() * R.products(MR) * free;
     const Eigen::MatrixXd along  = free.transpose() * MR.products(x);
@@ -257,7 +218,7 @@ namespace vfife
     result.axis_point = p.model.bodies[p.body].axis.point;
     result.n_unknowns = p.space.level().dofs().n_dofs();
     const Columns         x(p.communicator, pairs.vectors);
-    const auto            rigid     = p.make_rigid_fields();
+    const auto            rigid     = p.space.level().make_rigid_motions(result.axis_point);
     const auto            shares    = p.find_rigid_shares(mass, x, rigid, result);
     const Eigen::MatrixXd effective = p.find_effective_masses(x, rigid);
     p.shapes.clear();

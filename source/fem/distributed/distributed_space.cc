@@ -96,7 +96,9 @@ namespace vfife
            << ") mm. Make the mesh finer there, or set Fem/geometry = straight.";
       fold = text.str();
     });
-    throw_on_all_ranks(fold, communicator_);
+    for (const std::string &of_rank : communicator_.all_gather(fold))
+      if (!of_rank.empty())
+        throw NumericalError(of_rank);
   }
 
   void DistributedSpace::find_nodes()
@@ -123,12 +125,5 @@ namespace vfife
           values[3 * node + c] = u(dofs_of_nodes_[node][c]);
     communicator_.sum(values);
     return values;
-  }
-
-  void throw_on_all_ranks(const std::string &text, const Communicator &communicator)
-  {
-    for (const std::string &of_rank : communicator.all_gather(text))
-      if (!of_rank.empty())
-        throw NumericalError(of_rank);
   }
 } // namespace vfife

@@ -72,10 +72,6 @@ namespace vfife
     dealii::MappingQCache<3> mapping_;
     std::vector<PointDofs>   dofs_of_nodes_;
   };
-
-  /** Throws what one of the ranks has to say, on all of them, if any has; @p text is that of this
-   * rank. Collective. */
-  void throw_on_all_ranks(const std::string &text, const Communicator &communicator);
 } // namespace vfife
 
 #endif

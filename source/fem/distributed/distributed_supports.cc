@@ -132,4 +132,16 @@ namespace vfife
     for (const dealii::types::global_dof_index i : dependent_)
       q(i) = 0.;
   }
+
+  std::vector<std::vector<double>>
+  DistributedSupports::unknowns_of(std::vector<DistributedVector> fields) const
+  {
+    std::vector<std::vector<double>> unknowns;
+    for (DistributedVector &field : fields)
+      {
+        clear_dependent(field);
+        unknowns.push_back(owned_part(field));
+      }
+    return unknowns;
+  }
 } // namespace vfife

@@ -59,6 +59,9 @@ namespace vfife
     /** Zeros at what is no unknown. */
     void clear_dependent(DistributedVector &q) const;
 
+    /** The owned entries of fields, with zeros at what is no unknown. */
+    std::vector<std::vector<double>> unknowns_of(std::vector<DistributedVector> fields) const;
+
   private:
     void find_points();
     void add_lines(const Point &point);

@@ -9,6 +9,8 @@
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/fe_tools.h>
 
+#include <algorithm>
+
 namespace vfife
 {
   DofLevel::DofLevel(const DistributedMesh &mesh,
@@ -87,6 +89,33 @@ namespace vfife
   ElementNodes DofLevel::element_nodes(const Element &element) const
   {
     return gather(element, places_);
+  }
+
+  std::vector<DistributedVector> DofLevel::make_rigid_motions(const Vector3 &centre) const
+  {
+    std::vector<DistributedVector> motions(6, make_vector());
+    for_elements([&](const Element &element) {
+      for (const PointDofs &dofs : element.points)
+        if (owned().is_element(dofs[0]))
+          for (unsigned int d = 0; d < 3; ++d)
+            {
+              motions[d](dofs[d]) = 1.;
+              const Vector3 turn  = Vector3::Unit(d).cross(value_at(dofs, places_) - centre);
+              for (unsigned int c = 0; c < 3; ++c)
+                motions[3 + d](dofs[c]) = turn[c];
+            }
+    });
+    return motions;
+  }
+
+  std::vector<double> owned_part(const DistributedVector &vector)
+  {
+    return std::vector<double>(vector.begin(), vector.begin() + vector.locally_owned_size());
+  }
+
+  void copy_owned(const double *const values, DistributedVector &vector)
+  {
+    std::copy_n(values, vector.locally_owned_size(), vector.begin());
   }
 
   ElementNodes gather(const DofLevel::Element &element, const DistributedVector &values)

@@ -88,6 +88,9 @@ namespace vfife
     }
     ElementNodes element_nodes(const Element &element) const;
 
+    /** Three displacements and three rotations about @p centre, at owned entries. */
+    std::vector<DistributedVector> make_rigid_motions(const Vector3 &centre) const;
+
   private:
     const DistributedMesh        &mesh_;
     unsigned int                  degree_;
@@ -103,6 +106,10 @@ namespace vfife
 
   /** Values at the points of an element, a column each. */
   ElementNodes gather(const DofLevel::Element &element, const DistributedVector &values);
+
+  /** The owned entries, and these set from numbers. */
+  std::vector<double> owned_part(const DistributedVector &vector);
+  void                copy_owned(const double *values, DistributedVector &vector);
 
   /** Three values of a point. */
   Vector3 value_at(const PointDofs &dofs, const DistributedVector &values);

@@ -48,7 +48,7 @@ namespace vfife
       [&](const auto &cell) {
         return compute_trilinear_matrix(space, trilinear.make_element(cell), mass, sigma);
       },
-      near_kernel(space),
+      supports_.unknowns_of(trilinear.make_rigid_motions(space.body().axis.point)),
       communicator_);
     coarse_rest_ = trilinear.make_vector();
     correction_  = trilinear.make_vector();
@@ -76,39 +76,13 @@ namespace vfife
     smoother_.initialize(fine, data);
   }
 
-  std::vector<OwnedVector> TwoLevels::near_kernel(const DistributedSpace &space) const
-  {
-    const DofLevel          &level = space.trilinear();
-    std::vector<OwnedVector> motions(6, OwnedVector(level.owned().n_elements(), 0.));
-    level.for_elements([&](const DofLevel::Element &element) {
-      for (const PointDofs &dofs : element.points)
-        {
-          const Vector3 place = value_at(dofs, level.places()) - space.body().axis.point;
-          for (unsigned int c = 0; c < 3; ++c)
-            {
-              if (!level.owned().is_element(dofs[c]) || supports_.lines().is_constrained(dofs[c]))
-                continue;
-              const auto i  = level.owned().index_within_set(dofs[c]);
-              motions[c][i] = 1.;
-              for (unsigned int d = 0; d < 3; ++d)
-                motions[3 + d][i] = Vector3::Unit(d).cross(place)[c];
-            }
-        }
-    });
-    return motions;
-  }
-
   void TwoLevels::solve_coarse(DistributedVector &x, const DistributedVector &b) const
   {
-    const std::size_t n = b.locally_owned_size();
-    Columns           right_side(communicator_, n, 1), solution(communicator_, n, 1);
-    for (std::size_t i = 0; i < n; ++i)
-      right_side[0][i] = b.local_element(i);
+    const Columns right_side(communicator_, {owned_part(b)});
+    Columns       solution(communicator_, right_side.n_rows(), 1);
     coarse_->cycle().apply(right_side, solution);
-    for (std::size_t i = 0; i < n; ++i)
-      x.local_element(i) = solution[0][i];
-    for (const auto dof : supports_.dependent())
-      x(dof) = 0.;
+    copy_owned(solution[0].data(), x);
+    supports_.clear_dependent(x);
   }
 
   void TwoLevels::vmult(DistributedVector &x, const DistributedVector &b) const

@@ -39,7 +39,6 @@ namespace vfife
                                                    DistributedVector,
                                                    dealii::DiagonalMatrix<DistributedVector>>;
 
-    std::vector<OwnedVector> near_kernel(const DistributedSpace &space) const;
     /** One cycle for b on the trilinear elements. */
     void solve_coarse(DistributedVector &x, const DistributedVector &b) const;
 

@@ -143,6 +143,20 @@ namespace vfife
     return places;
   }
 
+  std::vector<unsigned int> corners_around(const Vector3 &unit)
+  {
+    std::vector<unsigned int> corners;
+    for (unsigned int v = 0; v < 8; ++v)
+      {
+        bool spans = true;
+        for (unsigned int d = 0; d < 3; ++d)
+          spans = spans && ((v >> d & 1u) != 0 ? unit[d] > 0. : unit[d] < 1.);
+        if (spans)
+          corners.push_back(v);
+      }
+    return corners;
+  }
+
   std::vector<unsigned int> numbers_on_face(const unsigned int degree, const unsigned int f)
   {
     // Points of an element are numbered with x fastest; a face lies at one end of its normal
@@ -335,5 +349,25 @@ namespace vfife
       for (int b = 0; b < coefficients.cols(); ++b)
         full.block<3, 3>(3 * a, 3 * b) = coefficients(a, b) * block;
     return full;
+  }
+
+  Eigen::VectorXd compute_selected_masses(const ElementNodes        &X,
+                                          const double               density,
+                                          const unsigned int         degree,
+                                          const std::array<bool, 8> &selected)
+  {
+    Eigen::VectorXd masses =
+      compute_mass_coefficients(X, density, MassKind::consistent).rowwise().sum();
+    const unsigned int n = degree + 1;
+    for (unsigned int a = 0; a < n * n * n; ++a)
+      {
+        const std::vector<unsigned int> corners =
+          corners_around(Vector3(a % n, a / n % n, a / (n * n)) / degree);
+        double inside = 0;
+        for (const unsigned int v : corners)
+          inside += selected[v] ? 1. : 0.;
+        masses[a] = inside / corners.size() * masses[a];
+      }
+    return masses;
   }
 } // namespace vfife

@@ -58,33 +58,19 @@ namespace vfife
       std::map<unsigned int, double> of_points;
       for (unsigned int e = 0; e < part.n_elements; ++e)
         {
-          const unsigned int   *points = space.element_points(part.first_element + e);
+          const unsigned int *points  = space.element_points(part.first_element + e);
+          const auto         &corners = body.elements()[space.body_element(part.first_element + e)];
+          std::array<bool, 8> of_corners;
+          for (unsigned int v = 0; v < 8; ++v)
+            of_corners[v] = selected[corners[v]];
           const Eigen::VectorXd masses =
-            compute_mass_coefficients(space.element_nodes(part.first_element + e),
-                                      space.material(part.first_element + e).density,
-                                      MassKind::consistent)
-              .rowwise()
-              .sum();
-          const auto        &corners = body.elements()[space.body_element(part.first_element + e)];
-          const unsigned int n       = space.degree() + 1;
-          for (unsigned int a = 0; a < n * n * n; ++a)
-            {
-              // The corners between which it lies, by its places along x, y, z.
-              const unsigned int at[3]     = {a % n, a / n % n, a / (n * n)};
-              double             n_corners = 0, inside = 0;
-              for (unsigned int v = 0; v < 8; ++v)
-                {
-                  bool spans = true;
-                  for (unsigned int d = 0; d < 3; ++d)
-                    spans = spans && at[d] != ((v >> d & 1u) != 0 ? 0 : n - 1);
-                  if (!spans)
-                    continue;
-                  ++n_corners;
-                  inside += selected[corners[v]] ? 1. : 0.;
-                }
-              if (inside > 0)
-                of_points[points[a]] += inside / n_corners * masses[a];
-            }
+            compute_selected_masses(space.element_nodes(part.first_element + e),
+                                    space.material(part.first_element + e).density,
+                                    space.degree(),
+                                    of_corners);
+          for (Eigen::Index a = 0; a < masses.size(); ++a)
+            if (masses[a] != 0.)
+              of_points[points[a]] += masses[a];
         }
       return PointWeights(of_points.begin(), of_points.end());
     }

@@ -33,6 +33,10 @@ namespace vfife
   /** Places in [0, 1] of the points along an edge, those of dealii::FE_Q. */
   std::vector<double> places_along(unsigned int degree);
 
+  /** The corners between which a point of the unit element lies: one at a corner, two on an edge,
+   * four on a face, eight inside. */
+  std::vector<unsigned int> corners_around(const Vector3 &unit);
+
   /** The points of an element's face @p f, seen from outside row by row, each row along the side
    * from corner 0 to 1 of BoundaryFace. */
   std::vector<unsigned int> numbers_on_face(unsigned int degree, unsigned int f);
@@ -112,6 +116,13 @@ namespace vfife
 
   /** n x n mass coefficients m_ab [t]; the mass matrix is m_ab times the identity of components. */
   Eigen::MatrixXd compute_mass_coefficients(const ElementNodes &X, double density, MassKind kind);
+
+  /** Integrals of the density times the shape functions, by point [t]; of a point between corners
+   * the part of those that are @p selected. */
+  Eigen::VectorXd compute_selected_masses(const ElementNodes        &X,
+                                          double                     density,
+                                          unsigned int               degree,
+                                          const std::array<bool, 8> &selected);
 
   /**
    * Stress xx yy zz xy yz zx [MPa] at the points of compute_element_points() for the displacements
