@@ -57,7 +57,7 @@ class Seeds:
         # Studies whose tables have plots of their own. Only mutants draw them.
         for name, case, section in (("lumped", "prm/lumped/torsional_pair.prm", "Lumped"),
                                     ("teeth", "prm/gear/paper_tca.prm", "Output")):
-            runner.run_good(folder, str(ROOT / case), "-o", name, "--set", f"{section}/pictures=no")
+            runner.run_good(folder, str(ROOT / case), "-o", name, "--set", f"{section}/report=no")
         (folder / "ledger").mkdir()
         row = {"quantity": "mean dte", "unit": "arcsec", "value": -84.0, "reference": -80.0, "reference kind": "FEM",
                "difference": -4.0, "tolerance": 1.0, "verdict": "differs", "reason": "coarse"}

@@ -5,6 +5,7 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/fem/distributed/distributed_checks.h>
 #include <vfife/fem/distributed/distributed_modes.h>
@@ -211,9 +212,8 @@ namespace vfife
                  found.counted ? "counted by factorization" : "not counted",
                  "; ",
                  found.n_unknowns,
-                 " unknowns, factors of ",
-                 found.memory,
-                 " MB, ",
+                 " unknowns, ",
+                 found.memory > 0 ? "factors of " + figure_text(found.memory) + " MB, " : "",
                  seconds,
                  " s");
         if (rate != 0)

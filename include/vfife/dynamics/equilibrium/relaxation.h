@@ -122,18 +122,18 @@ namespace vfife
               ConstraintMotion          &constraints,
               NodeField                 &velocity);
 
-    const Model             &model_;
-    const RelaxationOptions &options_;
-    VfifeOperator           &operator_;
-    ContactSystem           &contact_;
-    RigidWalls              &walls_;
-    const Communicator      &communicator_;
-    Log                     &log_;
-    TorqueLoads              torques_;
-    NodalLoads               loads_;
-    BearingLoads             bearings_;
-    SmallDisplacements       small_;
-    NodeField                forces_, no_velocity_;
+    const Model            &model_;
+    const RelaxationOptions options_;
+    VfifeOperator          &operator_;
+    ContactSystem          &contact_;
+    RigidWalls             &walls_;
+    const Communicator     &communicator_;
+    Log                    &log_;
+    TorqueLoads             torques_;
+    NodalLoads              loads_;
+    BearingLoads            bearings_;
+    SmallDisplacements      small_;
+    NodeField               forces_, no_velocity_;
   };
 } // namespace vfife
 

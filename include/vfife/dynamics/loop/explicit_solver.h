@@ -171,11 +171,11 @@ namespace vfife
     void check_stability(const State &state, const ElementMeasures &measures);
     void advance_bodies(State &state);
 
-    const Model           &model_;
-    const DynamicsOptions &options_;
-    const Communicator    &communicator_;
-    Log                   &log_;
-    Timers                &timers_;
+    const Model          &model_;
+    const DynamicsOptions options_;
+    const Communicator   &communicator_;
+    Log                  &log_;
+    Timers               &timers_;
 
     // What acts, and what holds.
     VfifeOperator           operator_;
