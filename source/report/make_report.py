@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-"""Report of a folder of results: make_report.py DIR. Without arguments it says what else it can do."""
+"""Report of a folder of results: make_report.py DIR. Without arguments it prints all commands."""
 import importlib.util
 import os
 import sys

@@ -87,7 +87,7 @@ class Bodies(unittest.TestCase):
             self.assertGreater(np.ptp(shown[..., 0]), 0.5)
             text = read_report(folder)
             self.assertTrue((folder / "pictures" / "mode_shapes_gear.png").is_file())
-            self.assertIn("Coriolis forces are left out", text)
+            self.assertIn("omits Coriolis forces", text)
             self.assertNotIn("at 20000 rpm", text)
 
 

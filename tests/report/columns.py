@@ -17,6 +17,9 @@ TABLES = {
     "data/beside.py": {"table": "coupled_modes.csv"},
     "data/error_bars.py": {"bars": "error_bars.csv", "pairs": "differences.csv", "runs": "sweep.csv"},
     "page/sweep_chapter.py": {"table": "resonance.csv"},
+    "measures/kind_results.py": {"lines": "waves_lines.csv", "met": "waves_in_contact.csv", "orders": "orders.csv", "refined": "adaptive_refinement.csv",
+                                 "meshes": "mesh.csv"},
+    "measures/trust.py": {"lines": "waves_lines.csv", "refined": "adaptive_refinement.csv"},
     "measures/speed_peaks.py": {"response": "resonance.csv", "stress": "stress_response.csv", "ranges": "exceedances.csv"},
     "plots/speed_curves.py": {"stress": "stress_response.csv"},
     "plots/campbell.py": {"branches": "campbell.csv", "modes": "modes.csv", "resonances": "resonances.csv"},
@@ -45,6 +48,7 @@ NAMED = {
 PLACES = {
     "data/run_folder.py": {"summary": "summary.json"},
     "measures/checks.py": {"statistics": "summary.json/steady part/columns/COLUMN"},
+    "measures/kind_results.py": {"results": "lumped.json"},
     "measures/quantities.py": {"statistics": "summary.json/steady part/columns/COLUMN"},
     "measures/sidebands.py": {"body": "summary.json/mesh/bodies/0"},
     "page/folder_chapters.py": {"results": "lumped.json"},

@@ -14,9 +14,9 @@ import vfife_report
 from vfife_report import plot_table
 from vfife_report.page.folder_chapters import LEDGER, TABLE_CHAPTERS
 from vfife_report.page.page import TEMPLATES
-from vfife_report.page.result_chapters import RESULTS
+from vfife_report.page.result_chapters import RESULTS, STUDY_RESULTS
 from vfife_report.page.run_chapters import CASE_CHAPTERS, PICTURE_CHAPTERS
-from vfife_report.page.study_chapters import STUDY_CHAPTERS
+from vfife_report.page.study_chapters import CLOSING_CHAPTERS, STUDY_CHAPTERS
 from vfife_report.plots import style
 
 PACKAGE = Path(vfife_report.__file__).parent
@@ -26,7 +26,7 @@ ROOMS = ("data", "measures", "plots", "pictures", "plot_table", "page", "command
 REPORTS = {"run": (plot_table.RUN_PLOTS + plot_table.FIELD_PICTURES + plot_table.TABLE_PLOTS,
                    (RESULTS,) + PICTURE_CHAPTERS + (LEDGER,) + TABLE_CHAPTERS + CASE_CHAPTERS),
            "study": (plot_table.STUDY_PLOTS + plot_table.TABLE_PLOTS,
-                     (LEDGER,) + STUDY_CHAPTERS + TABLE_CHAPTERS)}
+                     (STUDY_RESULTS, LEDGER) + STUDY_CHAPTERS + TABLE_CHAPTERS + CLOSING_CHAPTERS)}
 
 
 def list_sources():

@@ -179,7 +179,7 @@ class Pages(unittest.TestCase):
                 self.assertIn(row, cells)
 
     def test_unsteady_ripple(self):
-        """Figures of a ripple that is not steady are marked, means are not."""
+        """Values of a ripple that is not steady are marked, means are not."""
         for steady in (True, False):
             with tempfile.TemporaryDirectory() as name:
                 write_run(Path(name), fields=False)
@@ -197,7 +197,7 @@ class Pages(unittest.TestCase):
                               text[text.index("<td>ripple, first half against second"):].split("</tr>")[0])
 
     def test_part(self):
-        """What figures are of: not of a steady part where none was found."""
+        """The times that means cover: no steady part where none was found."""
         for found in (True, False):
             with tempfile.TemporaryDirectory() as name:
                 write_run(Path(name), fields=False)
@@ -206,8 +206,8 @@ class Pages(unittest.TestCase):
                 (Path(name) / "summary.json").write_text(json.dumps(summary))
                 make_page(name)
                 text = self.read(name)
-                self.assertEqual("Of the steady part, largest values" in text, found)
-                self.assertEqual("Of the last third, as no steady part was found, largest values" in text, not found)
+                self.assertEqual("Means and ripples cover the steady part." in text, found)
+                self.assertEqual("cover the last third, because no steady part was found." in text, not found)
 
     def test_run(self):
         with tempfile.TemporaryDirectory() as name:
@@ -216,7 +216,7 @@ class Pages(unittest.TestCase):
             text = self.read(name)
             for words in ("Spiral bevel gear pair 27/79, web 5 mm", "Transmission error",
                           "Motion of the rim", "Key figures", "dte, mean", "Energy and damping",
-                          "&lt;one&gt; &amp; another", "contradictions"):
+                          "&lt;one&gt; &amp; another", "input conflicts"):
                 self.assertIn(words, text)
             self.assertEqual(text.count("<img "), 11)
             for data in re.findall("Data: <code>(.*?)</code>", text):
@@ -239,8 +239,8 @@ class Pages(unittest.TestCase):
                               "contact pressure (Hertz), largest"):
                     self.assertIn(f"<td>{words}</td>", first)
                 self.assertLessEqual(first.count("<tr>"), 6)
-                self.assertEqual("steady in time, one mesh" in first.replace("not steady in time", ""), steady)
-                self.assertEqual("ripple, first half against second" in first[first.index("Checks that are not met"):], not steady)
+                self.assertEqual("steady in time; mesh error unknown" in first.replace("not steady in time", ""), steady)
+                self.assertEqual("ripple, first half against second" in first[first.index("These checks are not met"):], not steady)
                 trust = text[text.index(">How far to trust</h2>"):]
                 row = trust[trust.index("ripple of transmission error and forces"):].split("</tr>")[0]
                 self.assertIn(f"<td>{'yes' if steady else 'no'}</td>", row)
@@ -299,13 +299,13 @@ class Pages(unittest.TestCase):
                 (folder / "geometry.json").write_text(json.dumps({"pair": {}, "pinion": member, "gear": member}))
             make_page(name)
             text = self.read(name)
-            alike, different = text.index("geometry of all variants"), text.index("Where variants differ")
+            alike, different = text.index("geometry of all variants"), text.index("Geometry that differs between variants")
             self.assertIn("27.7", text[alike:])
             for rows, there in ((text[alike:different], False), (text[different:text.index("Means and ripple", different)], True)):
                 self.assertEqual("<td>web thickness</td>" in rows, there)
             self.assertRegex(text, r"<td>web thickness</td>\s*<td>web 3.5 mm at 70 deg</td>")
-            self.assertEqual(text.count("No steady part was found: web 3.5 mm at 70 deg. Their means"), 2)
-            self.assertEqual(text.count("The ripple is not steady: web 3.5 mm at 70 deg."), 2)
+            self.assertEqual(text.count("These variants have no steady part: web 3.5 mm at 70 deg. Their means"), 2)
+            self.assertEqual(text.count("The ripple of these variants is not steady: web 3.5 mm at 70 deg."), 2)
             self.assertIn("<td>last third</td>", text)
 
     def test_unused_entries(self):
@@ -337,7 +337,7 @@ class Pages(unittest.TestCase):
                  "remarks": ["nothing of second is compared"], "rows": [row, open_one, open_one]}))
             main([name])
             text = self.read(name)
-            for words in ("Of 3 comparisons within their tolerance: 0; beyond it: 1; not judged: 2.", "<td>results/a</td>",
+            for words in ("The comparison has 3 rows: 0 within the tolerance, 1 beyond it, 2 not judged.", "<td>results/a</td>",
                           "Nothing of second is compared."):
                 self.assertIn(words, text)
             # Numbers to be compared have five digits, what they differ by has three.
@@ -366,10 +366,10 @@ class Pages(unittest.TestCase):
             main([name])
             text = re.sub(r"\s+", " ", self.read(name))
             for words in ("On the drive side the path of contact ends before", "98.2",
-                          "The pinion drives forward: the drive side works.", "On the coast side contact is interrupted before",
+                          "The pinion drives forward, so the drive side is in contact.", "On the coast side contact is interrupted before",
                           "before the path: border", "<td>gear tip</td>"):
                 self.assertIn(words, text)
-            for row in (("path of contact: contact ratio", "-", "1.69", "0.9"), ("hand-over to the next pair: peak to peak", "arcsec", "3.98", "–"),
+            for row in (("path of contact: contact ratio", "-", "1.69", "0.9"), ("transfer point: peak to peak", "arcsec", "3.98", "–"),
                         ("tip land", "mm", *["1.5", "1.6", "1.7"] * 2)):
                 cells = [re.escape(cell) for cell in row]
                 self.assertRegex(text, r"</td>\s*<td[^>]*>".join(cells))
@@ -414,7 +414,7 @@ class Pages(unittest.TestCase):
             write_run(Path(name), fields=False)
             make_page(name)
             words = self.read(name).partition(">Words</h2>")[2]
-            for word in ("ripple", "contradiction", "energy error"):
+            for word in ("ripple", "rim dte", "energy error"):
                 self.assertIn(f">{word}</td>", words)
             for word in ("regularity", "share of the static turn", "]("):
                 self.assertNotIn(word, words)

@@ -1,15 +1,15 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """Reports, plots and pictures of folders of results.
 
-make_report.py DIR                  writes DIR/report.html, one file that needs nothing else, with the
-                                    pictures in DIR/pictures and their data beside them
-make_report.py plots DIR [NAME...]  draws the pictures alone, those of the given names or all
+make_report.py DIR                  writes DIR/report.html, one self-contained file, and DIR/pictures
+                                    with the pictures and their data
+make_report.py plots DIR [NAME...]  draws only the pictures, all or the named ones
 make_report.py meridian [--body NAME] PICTURE DIR[=TITLE]...
-                                    draws meridian sections from studies of kind `mesh`, a panel each
+                                    draws meridian sections from studies of kind `mesh`, one panel per study
 
-DIR is the folder of one run or study, or a folder of such folders, whose variants are compared. Needs
-numpy, matplotlib, Jinja2 and meshio, and h5py for fields in HDF5; no display. Exit codes: 0; 1 if not
-all could be done; 77 if one of these is missing.
+DIR is the folder of one run or study, or a folder of such folders, whose variants are compared. The
+script needs numpy, matplotlib, Jinja2 and meshio, and h5py for fields in HDF5. It needs no display.
+Exit codes: 0 success, 1 failure, 77 missing library.
 """
 import argparse
 import logging
@@ -89,8 +89,8 @@ def describe(asked, error):
     if isinstance(error, (OSError, DamagedFile)):
         return str(error)
     missing = f" (there is no {error})" if isinstance(error, KeyError) else ""
-    return (f"{getattr(asked, 'folder', 'a folder')}: its files contradict each other or lack something{missing}; with "
-            "VFIFE_REPORT_TRACE=1 in the environment it is shown where")
+    return (f"{getattr(asked, 'folder', 'a folder')}: the files are inconsistent or incomplete{missing}. Set "
+            "VFIFE_REPORT_TRACE=1 to see the place.")
 
 
 def main(arguments):

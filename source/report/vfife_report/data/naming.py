@@ -6,6 +6,7 @@ GEAR = "Gear pair/Gear/"
 PINION = "Gear pair/Pinion/"
 NOT_OF_THE_CASE = ("Study/", "Output/")
 # How long is computed changes no physics.
+LONGEST_NAME = 60  # letters of a variant, above which its folder names it
 LENGTHS = ("Operation/mesh cycles", "Dynamics/end time", "Dynamics/maximum number of steps")
 
 
@@ -75,4 +76,5 @@ def name_variants(runs):
                                    for name in differences))
         else:
             names.append(run.path.resolve().name)
-    return names if len(set(names)) == len(names) else [run.path.resolve().name for run in runs]
+    short = len(set(names)) == len(names) and max(map(len, names), default=0) <= LONGEST_NAME
+    return names if short else [run.path.resolve().name for run in runs]

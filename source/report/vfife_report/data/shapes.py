@@ -54,7 +54,8 @@ CONTACT_ANALYSIS = {"working": {"driving member": str, "direction of rotation": 
                     "teeth": {"pinion": _SECTIONS, "gear": _SECTIONS}}
 LUMPED = {"model": Each(QUANTITY), "response": Each(QUANTITY), "modes": [
     {"frequency [Hz]": NUMBER, "damping ratio [-]": NUMBER,
-     "critical pinion speeds of mesh orders 1, 2, 3 [rpm]": [NUMBER]}]}
+     "critical pinion speeds of mesh orders 1, 2, 3 [rpm]": [NUMBER]}],
+    "sweep?": {"largest peak to peak dte?": QUANTITY, "at the speed?": QUANTITY, "largest difference of both directions?": QUANTITY}}
 
 
 def is_number(value):

@@ -27,7 +27,7 @@ def list_checks(run):
                "found", judge(part["found"]))
         steady = run.is_ripple_steady()
         yield ("ripple, first half against second",
-               {True: "steady in time", False: "not steady"}.get(steady, "none judged"), "steady in time",
+               {True: "steady in time", False: "not steady"}.get(steady, "not judged"), "steady in time",
                "not judged" if steady is None else judge(steady))
         # What is steady may still be that of the mesh: only a second mesh tells.
         yield "ripple, this mesh against a finer one", "one mesh only", "", "not judged"
@@ -39,7 +39,7 @@ def list_checks(run):
                "largest energy error of the last third" if part else "energy error at the end",
                f"{error[rows].max():.3g} %", f"below {LARGEST_ENERGY_ERROR} %",
                judge(error[rows].max() < LARGEST_ENERGY_ERROR))
-        yield "largest energy error on the way", f"{error.max():.3g} %", "", "not judged"
+        yield "largest energy error of the whole run", f"{error.max():.3g} %", "", "not judged"
     yield from check_speeds(run)
     yield from check_torque(run)
     pressure, allowed = find_largest_pressure(run), find_allowed_pressure(run)
@@ -52,13 +52,13 @@ def list_checks(run):
         yield "contact inside the flanks", "not available for a driving gear", "no edge contact", "not judged"
     taken = summary.get("energy", {}).get("taken by the driven speed damping from the swing")
     if taken and taken["value"] is not None and describe_pair(run.parameters):
-        yield "driven speed damping: energy taken from the swing", f"{taken['value']:.3g} mJ", "not negative", judge(taken["value"] >= 0)
+        yield "driven speed damping: energy removed from the torsional mode", f"{taken['value']:.3g} mJ", "not negative", judge(taken["value"] >= 0)
     losses = summary.get("contact losses")
     if losses and (run.value("mesh frequency") or run.changes_speed()):
         yield "losses of contact", str(losses["count"]), "0", judge(losses["count"] == 0)
     if "contradictions" in summary:
         count = len(summary["contradictions"])
-        yield "contradictions", str(count), "0", judge(count == 0)
+        yield "input conflicts", str(count), "0", judge(count == 0)
 
 
 def read_early_end(run):
@@ -75,7 +75,7 @@ def check_speeds(run):
     error = 100 * np.abs(table["energy error"])
     above = error >= LARGEST_ENERGY_ERROR
     value = f"{error.max():.3g} % at {table['speed'][np.argmax(error)]:.5g} rpm"
-    yield ("largest energy error of a speed", value + (f", {above.sum()} of {error.size} above" if above.any() else ""),
+    yield ("largest energy error of a speed", value + (f", {above.sum()} of {error.size} speeds above the limit" if above.any() else ""),
            f"below {LARGEST_ENERGY_ERROR} %", judge(not above.any()))
 
 

@@ -21,7 +21,7 @@ def remark(run, name):
     remarks = ["ripple not steady"] if run.is_ripple_steady() is False else []
     share = run.value("transmission error near the cut-off")
     if share and name.startswith(TRANSMISSION_ERROR):
-        remarks.append(f"{share:.3g} arcsec of mesh order {run.value('mesh order near the cut-off'):.0f}, above half the cut-off")
+        remarks.append(f"includes {share:.3g} arcsec of mesh order {run.value('mesh order near the cut-off'):.0f}, above half the cut-off")
     return "; ".join(remarks)
 
 
@@ -37,7 +37,7 @@ def list_history_quantities(run):
         periodicity = measure_column(run, column)
         if periodicity:
             yield f"{column}, trend per mesh cycle", periodicity.trend, unit
-            yield f"{column}, change from mesh to mesh (rms)", periodicity.change, unit
+            yield f"{column}, change between mesh cycles (rms)", periodicity.change, unit
             yield f"{column}, periodic share of the variance", 100 * periodicity.periodic_share, "%"
 
 
@@ -56,7 +56,7 @@ def list_tooth_quantities(run):
     frequency = run.value("mesh frequency")
     if frequency and one.whole:
         time = run.teeth["time"][one.rows]
-        yield "one tooth, in contact for", (time[-1] - time[0]) * frequency, "mesh cycles"
+        yield "one tooth, contact duration", (time[-1] - time[0]) * frequency, "mesh cycles"
 
 
 def list_probe_quantities(run):
@@ -69,8 +69,8 @@ def list_probe_quantities(run):
         # A record of a part of a turn has a median of its own: that of all sectors is no matter of it.
         turn = run.summary.get("probes", {}).get(name)
         if turn:
-            yield f"{name}, largest von Mises stress of a turn", turn["largest of a turn"]["value"], "MPa"
-            yield f"{name}, median von Mises stress of a turn", turn["median of a turn"]["value"], "MPa"
+            yield f"{name}, largest von Mises stress of one rotation", turn["largest of a turn"]["value"], "MPa"
+            yield f"{name}, median von Mises stress of one rotation", turn["median of a turn"]["value"], "MPa"
         else:
             yield f"{name}, steady von Mises stress", passage.steady, "MPa"
         if passage.whole:

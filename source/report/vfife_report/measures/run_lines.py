@@ -8,7 +8,9 @@ from .periodicity import LEAST_MESHES
 from .sidebands import find_resolution, list_shafts, name_offset
 
 HARMONICS_HEADER = ["order", "frequency [Hz]", "amplitude", "unit"]
+HARMONICS_CAPTION = "Largest mesh harmonics of the mean mesh cycle."
 LINES_HEADER = ["line", "frequency [Hz]", "amplitude", "unit"]
+LINES_CAPTION = f"Strongest lines that are no mesh harmonics, up to mesh order {HIGHEST_LINE_ORDER} (Hann window)."
 LOW_ORDER = 0.75  # of the gear mesh, up to which a line is no sideband of a harmonic
 
 
@@ -41,23 +43,23 @@ def list_other_lines(run, low=4, high=3):
     rows = []
     for column, unit, values in list_columns(run):
         for line in find_lines(values, samples, frequency, 0, border, low):
-            rows.append([column, "below the mesh", line.frequency, line.amplitude, unit])
+            rows.append([column, "below the mesh frequency", line.frequency, line.amplitude, unit])
         for line in find_lines(values, samples, frequency, border, top, high):
             order = max(round(line.frequency / frequency), 1)
             offset = line.frequency - order * frequency
-            rows.append([column, f"{order} mesh {name_offset(run, offset)}", line.frequency,
+            rows.append([column, f"mesh order {order}, {name_offset(run, offset)}", line.frequency,
                          line.amplitude, unit])
     return rows
 
 
 def describe_resolution(run):
-    """Which lines the length of the steady part cannot tell apart."""
+    """Which lines the length of the steady part does not resolve."""
     resolution = find_resolution(run)
     if not np.isfinite(resolution):
-        return "The record is too short for a spectrum: two whole mesh cycles at least."
-    text = f"Lines closer than {resolution:.0f} Hz are one line here."
+        return "The record is too short for a spectrum, which needs two whole mesh cycles."
+    text = f"Spectral lines less than {resolution:.0f} Hz apart are not resolved."
     for shaft in list_shafts(run):
         if not shaft.resolved:
-            text += (f" Sidebands at the rotation of the {shaft.name} ({shaft.frequency:.0f} Hz) cannot be "
-                     f"told from the harmonics: they need {shaft.meshes:.0f} mesh cycles, two revolutions.")
+            text += (f" Sidebands at the rotation of the {shaft.name} ({shaft.frequency:.0f} Hz) are not resolved; "
+                     f"they need {shaft.meshes:.0f} mesh cycles, two rotations.")
     return text

@@ -12,8 +12,7 @@ from .spectrum import measure_amplitudes
 
 ORDERS = (1, 2, 3)
 TURNS = 3  # of a shaft on either side of a harmonic, by which lines are named
-SIDEBANDS_HEADER = ["history", "mesh order", "turns of the", "apart [Hz]", "lower", "harmonic", "upper",
-                    "unit"]
+SIDEBANDS_HEADER = ["history", "mesh order", "rotation of the", "distance [Hz]", "lower sideband", "harmonic", "upper sideband", "unit"]
 
 
 @dataclass
@@ -46,7 +45,7 @@ def name_offset(run, offset):
         turns = round(offset / shaft.frequency)
         if shaft.resolved and 0 < abs(turns) <= TURNS and (
                 abs(offset - turns * shaft.frequency) < 0.25 * find_resolution(run)):
-            return f"{turns:+d} turn{'s' if abs(turns) > 1 else ''} of the {shaft.name}"
+            return f"{turns:+d} rotation{'s' if abs(turns) > 1 else ''} of the {shaft.name}"
     return f"{offset:+.0f} Hz"
 
 

@@ -4,6 +4,12 @@ import numpy as np
 
 from ..data.table import read_table
 
+PEAKS_HEADER = ["quantity", "place", "largest", "unit", "at [rpm]"]
+PEAKS_CAPTION = "Largest values over all speeds."
+EXCEEDANCES_HEADER = ["quantity", "from [rpm]", "to [rpm]", "largest amplification", "at [rpm]"]
+EXCEEDANCES_CAPTION = ("Speed ranges in which an amplification exceeds Reduced/allowed amplification. The amplification is contact force "
+                       "over its mean, or stress over stress without vibration.")
+
 
 def find_response(run, name="resonance.csv"):
     """One of the tables over speed of a folder; None where it has none."""

@@ -70,13 +70,13 @@ def list_peaks_beyond(lines, response):
         if len(speeds) and np.isfinite(peak) and not speeds.min() <= peak <= speeds.max():
             diameters = lines["nodal diameter"][k]
             yield (f"{lines['wave'][k]}, {diameters:.0f} diameter{'s' * (diameters != 1)}, order {lines['mesh order'][k]:.0f} "
-                   f"({peak:.0f} rpm, driven from {speeds.min():.0f} to {speeds.max():.0f})")
+                   f"({peak:.0f} rpm, computed from {speeds.min():.0f} to {speeds.max():.0f})")
 
 
 def list_directions(rate):
     """Name and sign of the frequency of each direction of travel. The load, which stands in space,
     travels against the turning of the gear."""
-    return (("against the turning of the gear", -np.sign(rate)), ("with it", np.sign(rate)))
+    return (("against the rotation", -np.sign(rate)), ("with the rotation", np.sign(rate)))
 
 
 def list_wave_spectra(run, n):

@@ -1,5 +1,5 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-"""The chapter of a sweep with numerical parameters: values with errors, what is told apart."""
+"""The chapter of a sweep with numerical parameters: values with errors, which variants differ."""
 import math
 
 from .parts import Cells, Paragraph, format_number
@@ -22,12 +22,13 @@ def tell_error_bars(study, plots):
     if bars is None:
         return
     parameters = ", ".join(bars.quantities[0].parts) if bars.quantities else ""
-    yield Paragraph(f"Each value is that of the finest numerical parameters ({parameters}), its error the sum of those by each of them: "
-                    "Richardson's where three values are monotone with an order between 0.5 and 2.1, else their spread. Two variants are told "
-                    "apart where they differ by more than both errors together; their order is told where they differ by more than the error "
-                    "of the difference, in which what numerical parameters do to both alike cancels; else they are not told apart.")
+    yield Paragraph(f"Each value is from the finest numerical parameters ({parameters}). Its error is the sum of the errors by each "
+                    "parameter. An error is the Richardson estimate if three values are monotone with an order between 0.5 and 2.1. "
+                    "Otherwise it is the spread of the values.")
+    yield Paragraph("A difference between two variants is significant if it exceeds the sum of both errors. Only its sign is significant "
+                    "if it exceeds the error of the difference, in which common errors cancel.")
     if bars.unfinished:
-        yield Paragraph("Without results, and missing in the errors: " + ", ".join(
+        yield Paragraph("These runs have no results, and the errors do not include them: " + ", ".join(
             f"{run} ({status})" for run, status in bars.unfinished) + ".", "alarm")
     yield from plots
     yield tell_single_variant(bars)
@@ -43,11 +44,12 @@ def tell_error_bars(study, plots):
                    for word in ("order told", "not told apart")]
                 + [one.methods[k]] for k, variant in enumerate(one.variants)]
         yield Cells(["", "variant", f"{one.name}{unit}"] + [f"error by {name}" for name in one.parts]
-                    + ["order told from", "not told apart from", "method"], rows, f"{one.name[:1].upper()}{one.name[1:]}.")
+                    + ["only the sign of the difference is significant", "no significant difference", "method"], rows,
+                    f"{one.name[:1].upper()}{one.name[1:]} of all variants. Numbers in the columns before the method name other variants.")
 
 
 def tell_single_variant(bars):
-    """Of a case without variants, which nothing is to be told apart from: a row a quantity."""
+    """For a case without variants: a row per quantity."""
     single = [one for one in bars.quantities if len(one.variants) == 1]
     parts = list(single[0].parts) if single else []
     return Cells(["quantity", "value", "unit"] + [f"error by {name}" for name in parts] + ["method"],

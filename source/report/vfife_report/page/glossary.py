@@ -42,4 +42,4 @@ def add_words(page):
     text = "\n".join(list_texts(page))
     used = [[names, meaning] for names, meaning in read_glossary()
             if any(re.search(rf"\b{re.escape(name)}\b", text, re.I) for name in names.split(", "))]
-    page.section("Words", [Cells(["word", "is"], used, "Of the glossary, doc/reference/glossary.md, which has those of the field as well.")])
+    page.section("Words", [Cells(["word", "meaning"], used, "The glossary, doc/reference/glossary.md, also defines terms of the field.")])

@@ -7,9 +7,9 @@ from .chapter import add_chapters
 from .folder_chapters import LEDGER, TABLE_CHAPTERS
 from .glossary import add_words
 from .page import Page
-from .result_chapters import RESULTS
+from .result_chapters import RESULTS, STUDY_RESULTS
 from .run_chapters import CASE_CHAPTERS, PICTURE_CHAPTERS
-from .study_chapters import STUDY_CHAPTERS
+from .study_chapters import CLOSING_CHAPTERS, STUDY_CHAPTERS
 from .words import make_title
 
 
@@ -20,9 +20,11 @@ def make_report(source):
     page = Page(title_study(source) if isinstance(source, Study) else make_title(source),
                 f"Report of {name}")
     if isinstance(source, Study):
-        add_chapters(page, (LEDGER,), source.folder, drawn)  # what was compared comes first
+        add_chapters(page, (STUDY_RESULTS,), source, drawn)
+        add_chapters(page, (LEDGER,), source.folder, drawn)
         add_chapters(page, STUDY_CHAPTERS, source, drawn)
         add_chapters(page, TABLE_CHAPTERS, source.folder, drawn)
+        add_chapters(page, CLOSING_CHAPTERS, source, drawn)
     else:
         add_chapters(page, (RESULTS,) + PICTURE_CHAPTERS + (LEDGER,) + TABLE_CHAPTERS + CASE_CHAPTERS, source, drawn)
     add_words(page)

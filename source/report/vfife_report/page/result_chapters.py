@@ -1,9 +1,14 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-"""The first chapter of the report of one run, its main results, and the chapter about their accuracy."""
+"""The first chapter of the report, the main results, and the chapter about their accuracy: for one run, and for a folder of runs."""
+from ..data.naming import describe_pair
+from ..measures.accuracy import MESH_PAGE, NO_ESTIMATE, VARIANTS_PAGE
 from ..measures.checks import list_checks
-from ..measures.main_results import list_main_results, list_trust
+from ..measures.ledger import HEADER, read_ledger
+from ..measures.main_results import list_main_results
+from ..measures.study_results import (RANGES_HEADER, VALUES_HEADER, count_verdicts, list_farthest, list_ranges, list_single_values)
+from ..measures.trust import TRUST_HEADER, list_study_trust, list_trust
 from .chapter import Chapter
-from .parts import Cells, Paragraph
+from .parts import EXACT, Cells, Paragraph
 from .words import list_sentences
 
 RESULT_DIGITS = 4  # of few numbers that are read first
@@ -12,23 +17,58 @@ RESULT_DIGITS = 4  # of few numbers that are read first
 def tell_results(run, plots):
     failure = run.summary.get("failure")
     if failure:
-        yield Paragraph(f"The run failed: {failure}", "alarm")
+        yield Paragraph(f"The study failed: {failure}", "alarm")
     for sentence in list_sentences(run):
         yield Paragraph(sentence)
     rows = list_main_results(run)
-    if any(row[-1] for row in rows):
-        yield Cells(["result", "value", "unit", "accuracy"], rows, digits=RESULT_DIGITS)
-    else:
-        yield Cells(["result", "value", "unit"], [row[:-1] for row in rows], digits=RESULT_DIGITS)
+    yield Cells(["result", "value", "unit", "accuracy"], rows, digits=RESULT_DIGITS)
+    if any(NO_ESTIMATE in row[-1] for row in rows):
+        page = MESH_PAGE if describe_pair(run.parameters) else VARIANTS_PAGE
+        yield Paragraph(f"{page} explains how to compare two meshes.", "soft")
+    yield from tell_farthest(run)
     unmet = [name for name, _, _, verdict in list_checks(run) if verdict == "not met"]
     if unmet:
-        yield Paragraph(f"Checks that are not met: {'; '.join(unmet)}.", "alarm")
+        yield Paragraph(f"These checks are not met: {'; '.join(unmet)}.", "alarm")
+    yield from plots
+
+
+def tell_farthest(folder):
+    """How many comparisons of a folder agree, and those farthest from it."""
+    path = folder.path / "comparison.json"
+    rows = read_ledger(path)["rows"] if path.is_file() else []
+    if not rows:
+        return
+    agreeing, differing, open_ones = count_verdicts(rows)
+    yield Paragraph(f"The comparison has {len(rows)} row{'s' * (len(rows) > 1)}: {agreeing} within the tolerance, {differing} beyond it, "
+                    f"{open_ones} not judged.", "alarm" if differing else "")
+    yield Cells(HEADER, list_farthest(rows), "Rows with the largest difference over tolerance. The tolerance is the accuracy that the "
+                "comparison requires.", digits=EXACT, short={"difference", "%", "tolerance"})
+
+
+def tell_study_results(study, plots):
+    yield from tell_farthest(study.folder)
+    if study.error_bars:
+        yield Cells(VALUES_HEADER, list_single_values(study.error_bars), digits=RESULT_DIGITS)
+    if not study.folder.has_file("comparison.json"):
+        yield Cells(RANGES_HEADER, list_ranges(study), digits=RESULT_DIGITS)
+    if not study.error_bars and not study.folder.has_file("comparison.json") and len(study.variants) > 1:
+        yield Paragraph("Differences between variants have no error estimate. To get one, name numerical parameters "
+                        f"({VARIANTS_PAGE}).", "soft")
+    failed = [variant.name for variant in study.variants if variant.run.summary.get("status", "finished") != "finished"]
+    if failed:
+        yield Paragraph(f"These variants are not finished: {'; '.join(failed)}.", "alarm")
     yield from plots
 
 
 def tell_trust(run, plots):
-    yield Cells(["result", "steady in time", "converged with the mesh", "page"], list(list_trust(run)))
+    yield Cells(TRUST_HEADER, list_trust(run))
+
+
+def tell_study_trust(study, plots):
+    yield Cells(TRUST_HEADER, list_study_trust(study))
 
 
 RESULTS = Chapter("Results", tell_results)
 TRUST = Chapter("How far to trust", tell_trust)
+STUDY_RESULTS = Chapter("Results", tell_study_results)
+STUDY_TRUST = Chapter("How far to trust", tell_study_trust)

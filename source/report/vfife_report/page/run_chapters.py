@@ -6,17 +6,16 @@ from ..data.columns import JUDGED
 from ..data.needs import has_pair, has_probes, has_rim_over_meshes
 from ..measures.checks import list_checks
 from ..measures.passages import DURATION_LEVEL_IN_WORDS, find_passages
-from ..measures.lines import HIGHEST_LINE_ORDER
 from ..measures.periodicity import measure_column
 from ..measures.quantities import list_quantities, list_reactions, remark
-from ..measures.run_lines import (HARMONICS_HEADER, LINES_HEADER, describe_resolution, list_harmonics,
-                                  list_other_lines)
+from ..measures.run_lines import (HARMONICS_CAPTION, HARMONICS_HEADER, LINES_CAPTION, LINES_HEADER, describe_resolution,
+                                  list_harmonics, list_other_lines)
 from ..measures.sidebands import SIDEBANDS_HEADER, list_sidebands
 from ..measures.waves import list_wave_lines
 from .chapter import Chapter
 from .parts import EXACT, Cells, Paragraph, list_values
 from .result_chapters import TRUST
-from .words import list_case_rows, list_geometry_rows, list_model_rows
+from .words import FINDINGS, RECORD_ONLY, list_case_rows, list_geometry_rows, list_model_rows
 
 SOLVED = 1e-5  # of the largest: what equations of an equilibrium are solved to
 
@@ -25,13 +24,13 @@ def tell_case(run, plots):
     yield Cells(["", "value used"], list(list_case_rows(run)))
     if run.geometry:
         yield Cells(["geometry", "unit", "pinion", "gear"], list(list_geometry_rows(run.geometry)),
-                    "Given, derived or proposed; in the first rows of the pair.", digits=EXACT)
-    yield Cells(["of the model", "name", "kind", "given"], list(list_model_rows(run)), "Given: entries that differ from their "
-                "defaults (doc/parameter_reference.md).")
+                    "Values are given, derived or proposed. The first rows are for the pair as a whole.", digits=EXACT)
+    yield Cells(["part of the model", "name", "kind", "parameters"], list(list_model_rows(run)),
+                "The last column lists the parameters that differ from their defaults (doc/parameter_reference.md).")
     # A comparison's case is that of each of its cases.
     if run.parameters and run.parameters.get("Study/kind") != "compare":
-        yield Paragraph("All parameters that were used: parameters.prm in the run's folder, where 0 stands for a size that was "
-                        "derived.", "soft")
+        yield Paragraph("The file parameters.prm in the results folder lists all parameters. A size of 0 is derived from other "
+                        "parameters.", "soft")
 
 
 def tell_quantities(run, plots):
@@ -39,33 +38,35 @@ def tell_quantities(run, plots):
     marked = any(row[-1] for row in rows)
     nearest = run.summary.get("nearest wave")
     if nearest:
-        yield Paragraph(f"Nearest wave in contact to the speed of operation, mesh orders 1 to 3: {nearest}.")
+        yield Paragraph(f"Wave resonance nearest to the operating speed, mesh orders 1 to 3: {nearest}.")
     if run.is_ripple_steady() is False:
-        yield Paragraph("The ripple is not steady: its figures are those of this record, and half of it gives others.", "alarm")
+        yield Paragraph(f"The ripple is not steady. {RECORD_ONLY}", "alarm")
+    defined = "doc/reference/report.md defines the quantities."
     yield Cells(["quantity", "value", "unit"] + ["remark"] * marked, [row if marked else row[:-1] for row in rows],
-                "Definitions in doc/reference/report.md." if run.history is None or run.is_equilibrium() else
-                f"{describe_part(run)} values of the whole run; definitions in doc/reference/report.md.")
+                defined if run.history is None or run.is_equilibrium() else f"{describe_part(run)} {defined}")
     yield Cells(["constraint", "force x [N]", "force y [N]", "force z [N]", "moment x [N mm]", "moment y [N mm]",
-                 "moment z [N mm]"], list(list_reactions(run)), "Reactions: what constraints and bearings exert on the bodies.")
+                 "moment z [N mm]"], list(list_reactions(run)), "Reactions of constraints and bearings on the bodies.")
 
 
 def describe_part(run):
-    """Of what figures are, as the beginning of a sentence."""
+    """The times that quantities cover, in sentences."""
+    whole = "Largest values cover the whole run."
     if not run.steady_part():
-        return "Largest"
-    return "Of the steady part, largest" if run.is_steady() else "Of the last third, as no steady part was found, largest"
+        return whole
+    return (f"Means and ripples cover the steady part. {whole}" if run.is_steady() else
+            f"Means and ripples cover the last third, because no steady part was found. {whole}")
 
 
 def is_preloaded(run):
-    return run.parameters.get("Dynamics/start", "static equilibrium") == "static equilibrium"
+    return run.parameters.get("Dynamics/start", "static equilibrium") in ("static equilibrium", "steady swing")
 
 
 def tell_transmission_error(run, plots):
     yield from plots
     if plots:
         yield Cells(["part", "value", "unit"], list_values(run.summary.get("transmission error", {})),
-                    "Parts of the transmission error in the equilibrium before the start." if is_preloaded(run) else
-                    "Parts of the transmission error in the equilibrium under all the torque, to which this start comes later only.")
+                    "Parts of the transmission error in the initial equilibrium." if is_preloaded(run) else
+                    "Parts of the transmission error in the equilibrium under full torque. The run reaches this torque after its start.")
 
 
 def tell_contact(run, plots):
@@ -79,39 +80,35 @@ def tell_spectra(run, plots):
     if not plots:
         return
     yield from plots
-    yield Cells(["history"] + HARMONICS_HEADER, list_harmonics(run, 5),
-                "Largest harmonics of the gear mesh, from the mean mesh cycle.")
-    yield Cells(["history"] + LINES_HEADER, list_other_lines(run),
-                f"Strongest lines of what does not repeat with the mesh, up to order {HIGHEST_LINE_ORDER} "
-                "(Hann's window).")
+    yield Cells(["history"] + HARMONICS_HEADER, list_harmonics(run, 5), HARMONICS_CAPTION)
+    yield Cells(["history"] + LINES_HEADER, list_other_lines(run), LINES_CAPTION)
     yield Cells(SIDEBANDS_HEADER, list(list_sidebands(run)),
-                "One rotation below and above the harmonics of the mesh (Hann's window).")
+                "Sidebands one shaft rotation below and above the mesh harmonics (Hann window).")
     yield Paragraph(describe_resolution(run), "soft")
     found = [(column, measure_column(run, column)) for column in JUDGED]
-    yield Cells(["history", "unit", "meshes", "ripple", "rest", "change, rms", "change, largest",
-                 "trend a mesh", "periodic [%]"],
+    yield Cells(["history", "unit", "mesh cycles", "ripple", "remainder", "change, rms", "change, largest",
+                 "trend per mesh cycle", "periodic share [%]"],
                 [[column, run.history.units[column], p.meshes, p.ripple, p.remainder, p.change,
                   p.largest_change, p.trend, 100 * p.periodic_share] for column, p in found if p],
-                "How far mesh cycles differ: ripple (peak to peak) of the mean mesh, standard deviation "
-                "of the rest, change from one mesh to the next.")
+                "Differences of the mesh cycles: peak to peak of the mean mesh cycle, standard deviation of the remainder, "
+                "change between successive mesh cycles.")
 
 
 def tell_probes(run, plots):
     yield from plots
     if run.probes is not None and not has_probes(run):
         shown = [name for name in run.probes.columns if name not in ("time", "probe")]
-        yield Cells(["at the probe", *run.probes["probe"]],
+        yield Cells(["quantity at the probe", *run.probes["probe"]],
                     [[run.probes.label(name), *map(float, suppress_rounding(run.probes, name))] for name in shown])
         return
-    yield Cells(["probe", "peak [MPa]", "at [ms]", "least [MPa]", "steady [MPa]", "passage", "duration [ms]", "record"],
+    yield Cells(["probe", "peak [MPa]", "time of the peak [ms]", "least [MPa]", "steady [MPa]", "passage", "duration [ms]", "record"],
                 [[name, p.peak, 1e3 * p.peak_time, p.least, p.steady, "dip" if p.is_dip else "rise",
                   1e3 * p.duration if p.whole else None,
-                  "whole passage" if p.whole else "begins or ends within it"]
+                  "whole passage" if p.whole else "part of the passage"]
                  for name, p in find_passages(run)],
-                "Peak and least: of the whole record. The passage through the mesh is where the stress is farthest from the "
-                "steady stress, the median of a whole turn (without copies in all sectors: of the record outside the passage): "
-                "a rise above it or a dip below it; duration: "
-                f"farther than {DURATION_LEVEL_IN_WORDS} of that.")
+                "Peak and least value cover the whole record. The steady stress is the median of one rotation. Without images of the "
+                "probe in all sectors it is the median outside the passage. The passage surrounds the largest deviation from the "
+                f"steady stress, a rise or a dip. It lasts while the deviation exceeds {DURATION_LEVEL_IN_WORDS} of the largest.")
     for probe in run.summary.get("probes", {}).values():
         yield Paragraph(probe["explanation"] + ".")
 
@@ -124,9 +121,9 @@ def suppress_rounding(table, name):
 
 def tell_rim(run, plots):
     yield from plots
-    yield Cells(["nodal diameters", "travels", "frequency [Hz]", "amplitude [um]"],
+    yield Cells(["nodal diameters", "direction of travel", "frequency [Hz]", "amplitude [um]"],
                 list(list_wave_lines(run)) if has_rim_over_meshes(run) else [],
-                "Strongest lines of the axial waves, frequencies in the turning gear.")
+                "Strongest lines of the axial waves. Frequencies are in the rotating frame of the gear.")
     if has_rim_over_meshes(run):
         yield Paragraph(describe_resolution(run), "soft")
 
@@ -137,22 +134,22 @@ def tell_energy(run, plots):
         return
     rows = list_values(run.summary.get("energy", {}))
     # A model without a gear pair has few of the parts.
-    yield Cells(["energy ledger", "value", "unit"], rows if has_pair(run) else [row for row in rows if row[1]])
-    yield Cells(["damping of", "net torque [N m]", "power [W]", "spin of the last instant less that of the first [rpm]"],
+    yield Cells(["energy balance", "value", "unit"], rows if has_pair(run) else [row for row in rows if row[1]])
+    yield Cells(["damped body", "net torque [N m]", "power [W]", "spin at the end minus spin at the start [rpm]"],
                 [[a["body"]] + [a[name]["value"] for name in ("net torque", "power", "spin drift")]
                  for a in run.summary.get("damping audit", []) if a["net torque"]["value"] or a["power"]["value"]],
-                "Damping exerts no torque about the axis where the net torque is none. Spin: of all the body's mass, also of a driven "
-                "one, with the torsional vibration of that instant.")
+                "Net torque about the axis and power of the damping forces on each body. The spin is the mean of the whole mass, so "
+                "it includes the torsional vibration of the instant.")
 
 
 def tell_checks(run, plots):
     rows = list(list_checks(run))
     if not rows:
         return
-    yield Cells(["check", "value", "asked for", "verdict"], rows)
-    for kind in ("contradictions", "warnings"):
+    yield Cells(["check", "value", "condition", "verdict"], rows)
+    for kind, word in FINDINGS:
         for text in run.summary.get(kind, []):
-            yield Paragraph(f"{kind[:-1].capitalize()}: {text}", "alarm")
+            yield Paragraph(f"{word.capitalize()}: {text}", "alarm")
 
 
 def tell_computation(run, plots):
@@ -166,7 +163,7 @@ def tell_computation(run, plots):
     yield Cells(["", "value", "unit"], rows)
     yield Cells(["section", "time", "unit"], list_values(statistics.get("timers", {})))
     origin = [run.summary.get(name, "") for name in ("version", "revision")]
-    kernels = f"; kernels for {statistics['instruction set']}" if "instruction set" in statistics else ""
+    kernels = f", kernels for {statistics['instruction set']}" if "instruction set" in statistics else ""
     yield Paragraph(f"Program version {origin[0]}, revision {origin[1]}{kernels}.", "soft")
 
 
@@ -175,7 +172,7 @@ PICTURE_CHAPTERS = (
     Chapter("Transmission error", tell_transmission_error),
     Chapter("Contact", tell_contact),
     Chapter("Spectra and periodicity", tell_spectra),
-    Chapter("Over the speed"),
+    Chapter("Variable speed"),
     Chapter("Stress at the probes", tell_probes),
     Chapter("Motion of the probes"),
     Chapter("Motion of the rim", tell_rim),

@@ -4,17 +4,18 @@ import csv
 
 from ..data.columns import JUDGED
 from ..data.naming import find_differences, list_unused
-from ..measures.lines import HIGHEST_LINE_ORDER
 from ..measures.periodicity import measure_column
 from ..measures.quantities import list_quantities
-from ..measures.run_lines import (HARMONICS_HEADER, LINES_HEADER, describe_resolution, list_harmonics,
-                                  list_other_lines)
-from ..measures.speed_peaks import list_exceedances, list_peaks
+from ..measures.run_lines import (HARMONICS_CAPTION, HARMONICS_HEADER, LINES_CAPTION, LINES_HEADER, describe_resolution,
+                                  list_harmonics, list_other_lines)
+from ..measures.speed_peaks import (EXCEEDANCES_CAPTION, EXCEEDANCES_HEADER, PEAKS_CAPTION, PEAKS_HEADER, list_exceedances,
+                                    list_peaks)
 from .chapter import Chapter
 from .error_chapter import tell_error_bars
 from .parts import EXACT, Cells, Paragraph
+from .result_chapters import STUDY_TRUST
 from .sweep_chapter import tell_sweep, title_sweep
-from .words import list_geometry_rows
+from .words import FINDINGS, RECORD_ONLY, list_geometry_rows
 
 SHOWN_DIFFERENCES = 6
 RIPPLE_WORDS = {True: "steady", False: "not steady", None: "not judged"}
@@ -32,26 +33,26 @@ def tell_variants(study, plots):
     yield Cells(["variant", "folder"] + [name.split("/")[-1] for name in names] + ["status"], rows)
     alike, different = split_geometry(study)
     yield Cells(["geometry of all variants", "unit", "pinion", "gear"], alike,
-                "Given, derived or proposed; in the first rows of the pair.", digits=EXACT)
-    yield Cells(["geometry", "variant", "unit", "pinion", "gear"], different, "Where variants differ.", digits=EXACT)
+                "Values are given, derived or proposed. The first rows are for the pair as a whole.", digits=EXACT)
+    yield Cells(["geometry", "variant", "unit", "pinion", "gear"], different, "Geometry that differs between variants.", digits=EXACT)
     edges = [v.name for v in study.variants if v.run.edge_contact and v.run.edge_contact["edges carry"]]
     if edges:
-        yield Paragraph(f"Edges of the teeth carry: {'; '.join(edges)}. Their own reports say how much.", "alarm")
+        yield Paragraph(f"These variants have edge contact: {'; '.join(edges)}. The report of each variant states the forces.", "alarm")
     yield from tell_findings(study)
     made = all((run.path / "report.html").is_file() for run in runs)
-    yield Paragraph("Each variant's own report: report.html in its folder." if made else
-                    "A variant's own report is made by make_report.py with its folder.", "soft")
+    yield Paragraph("Each variant has its own report, report.html in its folder." if made else
+                    "To write the report of a variant, run make_report.py with its folder.", "soft")
 
 
 def tell_findings(study):
-    """Contradictions and warnings of all variants, each with those that have it."""
-    for kind in ("contradictions", "warnings"):
+    """Input conflicts and warnings of all variants, each with those that have it."""
+    for kind, word in FINDINGS:
         found = {}
         for variant in study.variants:
             for text in variant.run.summary.get(kind, []):
                 found.setdefault(text, []).append(variant.name)
-        yield Cells([kind[:-1], "variants"], [[text, "all" if len(names) == len(study.variants) else "; ".join(names)]
-                                              for text, names in found.items()])
+        yield Cells([word, "variants"], [[text, "all" if len(names) == len(study.variants) else "; ".join(names)]
+                                         for text, names in found.items()])
 
 
 def split_geometry(study):
@@ -68,15 +69,14 @@ def split_geometry(study):
 
 
 def tell_unsteady(study):
-    """What figures of variants without a steady part, or with a ripple that goes on changing, are of."""
+    """The times that quantities of variants cover without a steady part, or with a ripple that is not steady."""
     runs = [(v.name, v.run) for v in study.variants if v.run.steady_part()]
     swinging = [name for name, run in runs if not run.is_steady()]
     if swinging:
-        yield Paragraph(f"No steady part was found: {'; '.join(swinging)}. Their means and ripples are of the last third.", "alarm")
+        yield Paragraph(f"These variants have no steady part: {'; '.join(swinging)}. Their means and ripples cover the last third.", "alarm")
     changing = [name for name, run in runs if run.is_ripple_steady() is False]
     if changing:
-        yield Paragraph(f"The ripple is not steady: {'; '.join(changing)}. Its figures are those of these records, and half of one "
-                        "gives others.", "alarm")
+        yield Paragraph(f"The ripple of these variants is not steady: {'; '.join(changing)}. {RECORD_ONLY}", "alarm")
 
 
 def read_parameter(run, name):
@@ -100,13 +100,12 @@ def tell_responses(study, plots):
     if not plots:
         return
     peaks = [[variant.name, *peak] for variant in study.responses for peak in list_peaks(variant.run)]
-    yield Cells(["variant", "figure", "place", "largest", "unit", "at [rpm]"],
+    yield Cells(["variant", *PEAKS_HEADER],
                 sorted(peaks, key=lambda row: list(dict.fromkeys(peak[1] for peak in peaks)).index(row[1])),
-                "Largest over all speeds.", digits=EXACT)
-    yield Cells(["variant", "quantity", "from [rpm]", "to [rpm]", "largest amplification", "at [rpm]"],
+                PEAKS_CAPTION, digits=EXACT)
+    yield Cells(["variant", *EXCEEDANCES_HEADER],
                 [[variant.name, *row] for variant in study.responses for row in list_exceedances(variant.run)],
-                "Speeds at which contact force over its mean or a stress over that without vibration is larger than allowed "
-                "(Reduced/allowed amplification).", digits=EXACT)
+                EXCEEDANCES_CAPTION, digits=EXACT)
 
 
 def tell_means(study, plots):
@@ -121,7 +120,7 @@ def tell_means(study, plots):
                          "steady part" if variant.run.is_steady() else "last third",
                          RIPPLE_WORDS[variant.run.is_ripple_steady()]])
     yield Cells(["history", "variant", "mean", "peak to peak", "standard deviation",
-                 "trend per mesh cycle", "unit", "of the", "ripple"], rows, digits=EXACT)
+                 "trend per mesh cycle", "unit", "part", "ripple"], rows, digits=EXACT)
 
 
 def tell_periodicity(study, plots):
@@ -129,10 +128,10 @@ def tell_periodicity(study, plots):
              100 * p.periodic_share, variant.run.history.units[column]]
             for column, variant, p in list_measured(study) if p]
     if rows:
-        yield Paragraph("Consecutive mesh cycles laid over each other: how much of the history "
-                        "repeats with the mesh, and how far one mesh differs from the next.")
-        yield Cells(["history", "variant", "meshes", "ripple of the mean mesh",
-                     "change, rms", "change, largest", "periodic [%]", "unit"], rows)
+        yield Paragraph("The table compares successive mesh cycles. The periodic share is the part of the variance that repeats every "
+                        "mesh cycle.")
+        yield Cells(["history", "variant", "mesh cycles", "ripple of the mean mesh cycle",
+                     "change, rms", "change, largest", "periodic share [%]", "unit"], rows)
 
 
 def tell_lines(study, plots):
@@ -141,11 +140,9 @@ def tell_lines(study, plots):
     if not rows:
         return
     yield Cells(["history", "variant"] + HARMONICS_HEADER, sorted(rows, key=lambda row: row[0]),
-                "Largest harmonics of the gear mesh, from the mean mesh cycle.")
+                HARMONICS_CAPTION)
     rows = [[row[0], v.name] + row[1:] for v in pairs for row in list_other_lines(v.run, 3, 2)]
-    yield Cells(["history", "variant"] + LINES_HEADER, sorted(rows, key=lambda row: row[0]),
-                f"Strongest lines of what does not repeat with the mesh, up to order {HIGHEST_LINE_ORDER} "
-                "(Hann's window).")
+    yield Cells(["history", "variant"] + LINES_HEADER, sorted(rows, key=lambda row: row[0]), LINES_CAPTION)
     for variant in pairs:
         yield Paragraph(f"{variant.name}: {describe_resolution(variant.run)}", "soft")
 
@@ -168,7 +165,7 @@ def tell_quantities(study, plots):
         writer.writerow(header)
         writer.writerows([["" if cell is None else cell for cell in row] for row in rows])
     yield from tell_unsteady(study)
-    yield Cells(header, rows, "Definitions in doc/reference/report.md. Data: key_figures.csv.", digits=EXACT)
+    yield Cells(header, rows, "doc/reference/report.md defines the quantities. Data: key_figures.csv.", digits=EXACT)
 
 
 def tell_computations(study, plots):
@@ -181,20 +178,23 @@ def tell_computations(study, plots):
                          1e-6 * run["element-steps per second"]["value"] if "element-steps per second" in run else None,
                          run["ranks"]])
     yield Cells(["variant", "elements", "steps", "time of the steps [s]",
-                 "million element-steps a second", "ranks"], rows)
+                 "million element-steps per second", "ranks"], rows)
 
 
+# Pictures and what belongs to them come before tables.
 STUDY_CHAPTERS = (
-    Chapter("The variants", tell_variants),
     Chapter("Error bars", tell_error_bars),
     Chapter("Responses over speed", tell_responses),
-    Chapter("Over what is varied", tell_sweep, title_sweep),
-    Chapter("Means and ripple", tell_means),
+    Chapter("Over one parameter", tell_sweep, title_sweep),
     Chapter("Transmission error"),
     Chapter("Contact"),
-    Chapter("Periodicity", tell_periodicity),
-    Chapter("Lines", tell_lines),
     Chapter("Stresses"),
     Chapter("Motion of the rim"),
-    Chapter("All key figures", tell_quantities),
+    Chapter("The variants", tell_variants),
+    Chapter("Means and ripple", tell_means),
+    Chapter("Periodicity", tell_periodicity),
+    Chapter("Lines", tell_lines),
+    Chapter("All key figures", tell_quantities))
+CLOSING_CHAPTERS = (
+    STUDY_TRUST,
     Chapter("The computations", tell_computations))

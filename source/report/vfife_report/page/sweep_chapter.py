@@ -10,7 +10,7 @@ from .parts import EXACT, Cells, Paragraph
 
 
 def title_sweep(study):
-    return f"Over {study.axis.name}"
+    return f"Results over {study.axis.name}"
 
 
 def tell_sweep(study, plots):
@@ -25,34 +25,34 @@ def tell_sweep(study, plots):
 
 
 def list_sentences(speeds, beside):
-    """Where the ripple is largest, and what lies near."""
+    """Where the ripple is largest, in the runs and in other models."""
     axis, steady = speeds.axis, find_steady(speeds.axis)
     for column, _ in RIPPLES:
         values = read_ripple(axis, column, "peak to peak")
         if np.any(np.isfinite(values)):
             at = int(np.nanargmax(values))
             unit = axis.variants[at].run.history.units[column]
-            yield (f"The {column} ripples most at {axis.text(at)} (mesh frequency {speeds.frequencies[at]:.0f} "
-                   f"Hz): {values[at]:.4g} {unit} peak to peak; least at "
-                   f"{axis.text(int(np.nanargmin(values)))}: {np.nanmin(values):.4g} {unit}.")
+            yield (f"The ripple of the {column} is largest at {axis.text(at)}: {values[at]:.4g} {unit} peak to peak at a mesh "
+                   f"frequency of {speeds.frequencies[at]:.0f} Hz. It is smallest at {axis.text(int(np.nanargmin(values)))}: "
+                   f"{np.nanmin(values):.4g} {unit}.")
     for response in beside.responses:
         table = response.table
         at = int(np.argmax(table["peak to peak dte"]))
         inside = (table["speed"] >= axis.values[0]) & (table["speed"] <= axis.values[-1])
-        text = (f"The {response.model}'s transmission error ripples most at {table['speed'][at]:.0f} rpm (tooth "
-                f"mesh {table['mesh frequency'][at]:.0f} Hz): {table['peak to peak dte'][at]:.3g} arcsec")
+        text = (f"In the {response.model} the ripple of the dte is largest at {table['speed'][at]:.0f} rpm: "
+                f"{table['peak to peak dte'][at]:.3g} arcsec at a mesh frequency of {table['mesh frequency'][at]:.0f} Hz.")
         if axis.unit == "rpm" and np.any(inside) and not inside[at]:
             best = int(np.argmax(np.where(inside, table["peak to peak dte"], -1)))
-            text += (f"; within these speeds at {table['speed'][best]:.0f} rpm: "
-                     f"{table['peak to peak dte'][best]:.3g} arcsec")
-        yield text + "."
+            text += (f" Within the speeds of the runs it is largest at {table['speed'][best]:.0f} rpm: "
+                     f"{table['peak to peak dte'][best]:.3g} arcsec.")
+        yield text
     if beside.modes:
         at = ", ".join(sorted({modes.speed for modes in beside.modes}))
-        yield (f"Coupled modes are those of the pair in contact that take part in the gear's turn, computed at "
-               f"{at}; other speeds have other centrifugal and gyroscopic forces.")
+        yield (f"Coupled modes are the modes of the pair in contact that rotate the gear, computed at {at}. Other speeds have other "
+               "centrifugal and gyroscopic forces.")
     if not np.all(steady):
         yield ("No steady part was found at " + ", ".join(axis.text(k) for k in np.flatnonzero(~steady))
-               + ": the last third is taken there.")
+               + ". Values at these speeds cover the last third.")
 
 
 def list_speed_tables(speeds, beside):
@@ -71,12 +71,12 @@ def list_speed_tables(speeds, beside):
                     + [read_ripple(axis, column, what)[k] for column, _ in RIPPLES
                        for what in ("mean", "peak to peak", "standard deviation")]
                     + [line.frequency if line else None, line.amplitude if line else None, nearest])
-    yield Cells([axis.label, "mesh frequency [Hz]", "lines apart [Hz]", "dte, mean [arcsec]", "peak to peak",
+    yield Cells([axis.label, "mesh frequency [Hz]", "line spacing [Hz]", "dte, mean [arcsec]", "peak to peak",
                  "RMS", "force, mean [N]", "peak to peak", "RMS",
-                 "dte: strongest line beside the mesh [Hz]", "amplitude [arcsec]",
+                 "strongest dte line besides mesh harmonics [Hz]", "amplitude [arcsec]",
                  "nearest coupled mode [Hz]"], rows,
-                "RMS: standard deviation from the mean of the steady part.", digits=EXACT)
-    yield Cells(["coupled mode [Hz]", "meets mesh order", f"at {axis.label}"],
+                "RMS is the standard deviation in the steady part.", digits=EXACT)
+    yield Cells(["coupled mode [Hz]", "mesh order", f"resonant at {axis.label}"],
                 [[frequency, order, value] for frequency, order, value
                  in list_critical_speeds(beside, speeds)],
-                f"Speeds at which mesh orders {MESH_ORDERS[0]} to {MESH_ORDERS[-1]} meet coupled modes.", digits=EXACT)
+                f"Speeds at which mesh orders {MESH_ORDERS[0]} to {MESH_ORDERS[-1]} are resonant with coupled modes.", digits=EXACT)

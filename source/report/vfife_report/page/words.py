@@ -11,7 +11,7 @@ BLANK_ROWS = (
     ("mean cone distance", GEAR + "Blank/mean cone distance"),
     ("face width", GEAR + "Blank/face width"),
     ("backlash", "Gear pair/Mounting/backlash"))
-ROWS = (("speed of the pinion in operation", "Operation/speed"),
+ROWS = (("operating speed of the pinion", "Operation/speed"),
         ("torque on the {driven}", "Operation/torque"),
         ("torque on the pinion", "Operation/pinion torque"),
         ("mesh cycles", "Operation/mesh cycles"),
@@ -22,6 +22,9 @@ ROWS = (("speed of the pinion in operation", "Operation/speed"),
         ("contact: discretization, surface", "Contact/discretization", "Contact/surface"),
         ("friction coefficient", "Contact/friction coefficient"),
         ("element frame, stiffness", "Dynamics/corotational frame", "Dynamics/element type"))
+# Groups of the summary, and what readers call an entry of each.
+FINDINGS = (("contradictions", "input conflict"), ("warnings", "warning"))
+RECORD_ONLY = "Its values hold for this record; half of the record gives other values."
 ERRORS = ("Gear pair/Mounting/", "Gear pair/Errors/")
 DESIGNED = ("Gear pair/Mounting/shaft angle", "Gear pair/Mounting/backlash")  # of the table of the geometry
 
@@ -83,8 +86,8 @@ def list_case_rows(run):
     web = describe_web(parameters)
     if web.startswith("web"):
         body = GEAR + "Body/"
-        yield "web", (f"{web} to the axis, from the {parameters[body + 'web attachment']} "
-                      f"{parameters[body + 'web direction']}")
+        direction = parameters[body + "web direction"]
+        yield "web", f"{web} to the axis, from the {parameters[body + 'web attachment']}" + f" {direction}" * (direction != "auto")
         yield "rim thickness", parameters[body + "rim thickness"]
     elif web:
         yield "gear body", web
@@ -98,14 +101,14 @@ def list_case_rows(run):
 
 
 def list_sweep_rows(parameters):
-    """Of a reduced pair at many speeds, in place of its speed and its mesh cycles."""
+    """For a reduced pair at many speeds, instead of its speed and its mesh cycles."""
     if not sweeps_speeds(parameters):
         return
     between = describe_speeds(parameters)
     yield "speeds of the pinion", f"{parameters['Reduced/speeds']} from {between[0]} to {between[1]}, {parameters['Reduced/sweep']}"
     decay = parameters.get("Reduced/settling decay times", "0")
-    least = "" if is_zero(decay) else f" and {decay} decay times at least"
-    yield "mesh cycles at each speed", f"{parameters['Reduced/settling mesh cycles']}{least} to settle, {parameters['Reduced/recorded mesh cycles']} counted"
+    least = "" if is_zero(decay) else f" (at least {decay} decay times)"
+    yield "mesh cycles per speed", f"{parameters['Reduced/settling mesh cycles']}{least} to settle, {parameters['Reduced/recorded mesh cycles']} recorded"
 
 
 def list_error_rows(run):
@@ -147,19 +150,17 @@ def list_sentences(run):
     pair = describe_pair(parameters)
     if pair and frequency:
         time = summary["run"]["time"]["value"]
-        yield (f"The {pair[0].lower()}{pair[1:]} turns at {parameters['Operation/speed']} of the pinion, the load is "
-               f"{describe_torques(run)}. Teeth mesh at {frequency:.0f} Hz; "
-               f"the run covers {time * frequency:.3g} mesh cycles ({1e3 * time:.4g} ms) from "
-               f"{describe_start(parameters)}.")
+        yield (f"The pinion of the {pair[0].lower()}{pair[1:]} rotates at {parameters['Operation/speed']}. The load is "
+               f"{describe_torques(run)}. The mesh frequency is {frequency:.0f} Hz. The run covers {time * frequency:.3g} mesh "
+               f"cycles ({1e3 * time:.4g} ms) and starts from {describe_start(parameters)}.")
     elif pair and sweeps_speeds(parameters) and run.value("speeds"):
-        yield (f"The {pair[0].lower()}{pair[1:]} turns at {run.value('speeds'):.0f} speeds from {run.value('lowest speed'):.5g} to "
-               f"{run.value('highest speed'):.5g} rpm of the pinion, each from the motion at the one before; the load is "
-               f"{describe_torques(run)}.")
+        yield (f"The pinion of the {pair[0].lower()}{pair[1:]} rotates at {run.value('speeds'):.0f} speeds from "
+               f"{run.value('lowest speed'):.5g} to {run.value('highest speed'):.5g} rpm. Each speed starts from the motion at the "
+               f"previous speed. The load is {describe_torques(run)}.")
     elif pair and run.changes_speed():
         speed, time = run.history["speed"], summary["run"]["time"]["value"]
-        yield (f"The speed of the {pair[0].lower()}{pair[1:]} changes from {speed[0]:.0f} to {speed[-1]:.0f} "
-               f"rpm of the driver within {1e3 * time:.4g} ms, from {describe_start(parameters)}; there is "
-               f"no steady part.")
+        yield (f"The driver speed of the {pair[0].lower()}{pair[1:]} changes from {speed[0]:.0f} to {speed[-1]:.0f} rpm within "
+               f"{1e3 * time:.4g} ms. The run starts from {describe_start(parameters)} and has no steady part.")
     if "steady part" in summary:
         text = summary["steady part"]["explanation"]
         yield text[0].upper() + text[1:] + "."
@@ -177,6 +178,8 @@ def describe_start(parameters):
     start = parameters.get("Dynamics/start", "")
     if start == "static equilibrium":
         return "equilibrium under centrifugal force and full torque"
+    if start == "steady swing":
+        return "the periodic vibration at the mesh frequency"
     if start == "ramp":
-        return f"touching flanks, the torque growing over {parameters['Operation/ramp']} mesh cycles"
+        return f"flanks in contact; the torque increases over {parameters['Operation/ramp']} mesh cycles"
     return f"the start \"{start}\""

@@ -59,10 +59,9 @@ def draw_deformation(scene):
         panel.set_title(place)
         panel.set_xlabel("along the gear's axis, from the apex [mm]")
     panels[0].set_ylabel("radius from the gear's axis [mm]")
-    picture.suptitle(f"Displacements magnified {magnification:g} times, grey: undeformed; "
-                     f"{scene.when()}")
+    picture.suptitle(f"Displacements magnified {magnification:g} times (grey: undeformed), {scene.when()}")
     add_colour_bar(picture, panels, SIGNED_MAP, -largest, largest,
-                   "displacement along the axis, + to the back [um]")
+                   "axial displacement, positive to the back [um]")
     return picture
 
 

@@ -4,6 +4,7 @@ import numpy as np
 
 from ..data.fields import Fields, read_piece
 from ..data.table import Table
+from ..measures.kind_results import list_vibrations
 from ..plots.style import STRESS_MAP, WIDE, plt
 from .bodies import fit_camera
 from .hexahedra import find_axis, find_outer_faces
@@ -13,8 +14,6 @@ SHAPES = 6
 COLUMNS = 3
 PIXELS = 520  # width of a shape
 SHOWN_AMPLITUDE = 0.06  # of the largest displacement, over the body's largest extent
-RIGID = 1e-4  # of the highest frequency of the file, below which a mode is a rigid motion
-TWINS = 1e-4  # relative difference of the frequencies of one wave and the same wave turned
 
 
 def find_shapes(run, table, body):
@@ -27,19 +26,6 @@ def find_shapes(run, table, body):
 def list_shaped_bodies(run):
     table = Table(run.path / "modes.csv")
     return [body for body in dict.fromkeys(table["body"]) if find_shapes(run, table, body)[1].is_file()]
-
-
-def list_vibrations(table, rows):
-    """Rows of the lowest vibrations: no rigid motions, and of two that are one wave and the same wave turned, the first."""
-    frequency, diameter = table["frequency"], table["nodal diameter"]
-    chosen = []
-    for row in rows:
-        if frequency[row] < RIGID * frequency[rows].max():
-            continue
-        if chosen and diameter[row] == diameter[chosen[-1]] and frequency[row] - frequency[chosen[-1]] < TWINS * frequency[row]:
-            continue
-        chosen.append(row)
-    return chosen[:SHAPES]
 
 
 def describe_vibration(table, row):
@@ -55,7 +41,7 @@ def draw_mode_shapes(run, body):
     """The lowest vibrations at the lowest speed, deformed, with the magnitude of the displacement over its largest."""
     table = Table(run.path / "modes.csv")
     rows, path = find_shapes(run, table, body)
-    chosen = list_vibrations(table, rows)
+    chosen = list_vibrations(table, rows)[:SHAPES]
     if not chosen:
         return None
     points, data = read_piece(path)
@@ -82,5 +68,5 @@ def draw_mode_shapes(run, body):
     for axes, one, row in zip(panels.flat, shapes, chosen):
         show_image(axes, draw_faces(one, "size", camera, 0.5, outer).image(STRESS_MAP, 0, 1))
         axes.set_title(describe_vibration(table, row))
-    add_colour_bar(picture, panels, STRESS_MAP, 0, 1, "displacement over its largest")
+    add_colour_bar(picture, panels, STRESS_MAP, 0, 1, "displacement over largest displacement")
     return picture

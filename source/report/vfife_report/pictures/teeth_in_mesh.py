@@ -53,5 +53,5 @@ def draw_pressure(scene, picture, axes):
     largest = gear["contact pressure"].max()
     canvas = draw_faces(gear, "contact pressure", camera, edge_width=1.2)
     show_image(axes, canvas.image(PRESSURE_MAP, 0, largest))
-    axes.set_title("Contact pressure on the gear teeth, pinion hidden")
-    add_colour_bar(picture, axes, PRESSURE_MAP, 0, 1, "pressure at nodes over its largest", "")
+    axes.set_title("Contact pressure on the gear teeth (pinion hidden)")
+    add_colour_bar(picture, axes, PRESSURE_MAP, 0, 1, "nodal pressure over largest nodal pressure", "")

@@ -1,6 +1,6 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-"""Plots of shafts in bearings: loads and displacements of the bearings, how the members of a pair stand to each other, laws
-of the bearings."""
+"""Plots of shafts in bearings: loads and displacements of the bearings, misalignment of the members of a pair, laws of the
+bearings."""
 import numpy as np
 
 from ..data.table import read_table
@@ -20,7 +20,7 @@ def list_bearings(table):
 
 
 def draw_bearings(run):
-    """Forces across and along the axis, and how far the seats move."""
+    """Radial and axial forces, and radial displacements of the seats."""
     table = run.bearings
     place, label = place_of(table)
     plot, panels = plt.subplots(3, 1, sharex=True, figsize=(8, 7))
@@ -30,8 +30,8 @@ def draw_bearings(run):
             axes.plot(place[rows], table[column][rows], ".-" if np.count_nonzero(rows) < 30 else "-",
                       color=COLOURS[k % len(COLOURS)], linewidth=0.9, label=name)
     for axes, column, title in zip(panels, ("radial force", "force z", "radial displacement"),
-                                   ("Force of each bearing on its shaft, across the axis",
-                                    "Along the axis, from apex to back", "Displacement across the axis")):
+                                   ("Radial force of each bearing on its shaft",
+                                    "Axial force of each bearing on its shaft, from apex to back", "Radial displacement of each seat")):
         axes.set(title=title, ylabel=table.label(column))
         axes.margins(x=0)
     panels[-1].set_xlabel(label)
@@ -47,7 +47,7 @@ def draw_misalignment(run):
     for k, column in enumerate(("offset", "pinion axial shift", "gear axial shift")):
         panels[0].plot(place, table[column], color=COLOURS[k + 1], label=column)
     panels[1].plot(place, table["shaft angle error"], color=COLOURS[4])
-    panels[0].set(title="Misalignment: changes of the mounting", ylabel="[um]")
+    panels[0].set(title="Misalignment of the members under load", ylabel="displacement [um]")
     panels[1].set(ylabel=table.label("shaft angle error"), xlabel=label)
     for axes in panels:
         axes.margins(x=0)
@@ -66,6 +66,6 @@ def draw_bearing_curves(run):
             rows = (table["bearing"] == name) & (table["direction"] == direction)
             axes.plot(table["displacement"][rows], 1e-3 * table["force"][rows],
                       color=COLOURS[k % len(COLOURS)], label=name)
-        axes.set(title=direction, xlabel=table.label("displacement"), ylabel="force [kN]")
+        axes.set(title=f"{direction} load", xlabel=table.label("displacement"), ylabel="force [kN]")
     add_legend(panels[0], fontsize=8)
     return plot

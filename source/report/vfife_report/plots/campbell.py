@@ -27,11 +27,11 @@ def draw_campbell(run, body):
                         "mesh order" if body in ("pinion", "gear") else "order")
     operation = find_speed_of_operation(run, body)
     if operation:
-        axes.axvline(operation, color=COLOURS[0], linestyle="--", linewidth=0.9, label=f"operation, {operation:.0f} rpm")
+        axes.axvline(operation, color=COLOURS[0], linestyle="--", linewidth=0.9, label=f"operating speed, {operation:.0f} rpm")
     axes.margins(x=0)
     axes.set(ylim=(0, top), xlabel=f"speed of the {body} [rpm]{tell_pinion(resonances, body)}", ylabel="frequency [kHz]")
     # Above the names of the orders that leave the axes there, and beside those at the side.
-    axes.set_title(f"{body}: natural frequencies in axes that turn with it", pad=16)
+    axes.set_title(f"{body}: natural frequencies in the rotating frame", pad=16)
     axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.14, 1.), frameon=False)
     return plot
 
@@ -51,24 +51,24 @@ def draw_whirl(run, body):
     modes = Table(run.path / "modes.csv")
     plot, axes = plt.subplots()
     mine = (modes["body"] == body) & np.isfinite(modes["fixed frequency"])
-    for whirl, label, marker, colour in (("backward", "backward", "v", 1), ("forward", "forward", "^", 2), ("-", "none", "o", 0)):
+    for whirl, label, marker, colour in (("backward", "backward", "v", 1), ("forward", "forward", "^", 2), ("-", "no whirl", "o", 0)):
         rows = mine & (modes["whirl"] == whirl)
         axes.plot(modes["speed"][rows], modes["fixed frequency"][rows], marker, markersize=5, color=COLOURS[colour], label=label)
     end = np.abs(modes["speed"][mine]).max()
     axes.plot((0, end), (0, end / 60), color=GREY, linewidth=0.9, label="rotation")
-    axes.set(ylim=(0, 2 * end / 60), xlabel=f"speed of the {body} [rpm]", ylabel="frequency for an observer at rest [Hz]")
-    axes.set_title(f"{body}: whirl")
+    axes.set(ylim=(0, 2 * end / 60), xlabel=f"speed of the {body} [rpm]", ylabel="frequency in the fixed frame [Hz]")
+    axes.set_title(f"{body}: frequencies of whirl in the fixed frame")
     axes.legend(loc="upper left", bbox_to_anchor=(1.02, 1.), frameon=False)
     return plot
 
 
 def tell_pinion(resonances, body):
-    """What the pinion's speed is, of a gear."""
+    """The pinion speed over that of the gear, in words."""
     if body != "gear" or resonances is None or "pinion speed" not in resonances:
         return ""
     ratio = [pinion / abs(own) for own, pinion in zip(resonances["speed"], resonances["pinion speed"])
              if own and np.isfinite(pinion)]
-    return f" (of the pinion: {ratio[0]:.4g} times this)" if ratio else ""
+    return f" (pinion speed: {ratio[0]:.4g} times this speed)" if ratio else ""
 
 
 def draw_branches(axes, branches, mine):

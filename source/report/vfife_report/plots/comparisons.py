@@ -35,8 +35,8 @@ def draw_histories(study, column):
         below.plot(meshes[last] - meshes[-1], values[last] - mean, label=variant.name,
                    **look(variant))
     label = study.pairs[0].run.history.label(column)
-    above.set(title="mean over a mesh cycle", xlabel="mesh cycles", ylabel=label)
-    below.set(title=f"last {LAST_MESHES} mesh cycles as they are, less the mean of the steady part",
+    above.set(title="Mean over a mesh cycle", xlabel="mesh cycles", ylabel=label)
+    below.set(title=f"Last {LAST_MESHES} mesh cycles minus the mean of the steady part",
               ylabel=label, xlabel="mesh cycles before the end")
     for axes in (above, below):
         axes.margins(x=0)
@@ -58,16 +58,16 @@ def draw_spectra(study, column):
                     linewidth=2, label=variant.name)
         top = max(top, amplitudes[visible].max(initial=0))
         spacing = run.value("mesh frequency") * (orders[1] if len(orders) > 1 else np.nan)
-        axes.set_title(f"{variant.name} (lines {spacing:.0f} Hz apart)", fontsize=9)
+        axes.set_title(f"{variant.name} (line spacing {spacing:.0f} Hz)", fontsize=9)
     panels[0, 0].set_ylim(0, 1.05 * top if top > 0 else 1)
-    panels[-1, 0].set_xlabel("order of the mesh frequency")
+    panels[-1, 0].set_xlabel("mesh order")
     panels[-1, 0].set_xlim(0, HIGHEST_LINE_ORDER + 0.2)
     plot.supylabel(f"amplitude [{variants[0].run.history.units[column]}]", fontsize=10)
     return plot
 
 
 def draw_tooth_stress(study):
-    """Hertz's pressure of one tooth pair through its engagement."""
+    """Hertzian pressure of one tooth pair during its engagement."""
     plot, axes = plt.subplots()
     for variant in study.pairs_with("teeth", "hertz pressure"):
         teeth, one = variant.run.teeth, find_run_engagement(variant.run)
@@ -75,10 +75,10 @@ def draw_tooth_stress(study):
             continue
         at = (teeth["time"][one.rows] - teeth["time"][one.rows[0]]) * variant.run.value("mesh frequency")
         name = f"{variant.name}, teeth {one.pinion_tooth}/{one.gear_tooth}"
-        name += "" if one.whole else " (cut by the record)"
+        name += "" if one.whole else " (part of the engagement)"
         axes.plot(at, teeth["hertz pressure"][one.rows], label=name, **look(variant))
-    axes.set(title="largest pressure of Hertz's ellipse under the tooth's force",
-             ylabel="contact pressure [MPa]", xlabel="mesh cycles since the first touch")
+    axes.set(title="Largest Hertzian pressure of one tooth pair",
+             ylabel="contact pressure [MPa]", xlabel="mesh cycles since the first contact")
     axes.set_ylim(bottom=0)
     add_legend(axes, fontsize=8)
     return plot
@@ -106,7 +106,7 @@ def draw_probes(study):
 
 
 def draw_rim_content(study):
-    """Axial and radial waves: what stands in space, and the rest."""
+    """Axial and radial waves: the part that is stationary in the fixed frame, and the remainder."""
     plot, panels = plt.subplots(2, 2, sharex=True, figsize=(9, 6.5))
     for variant in study.pairs_with("rim"):
         rim = variant.run.rim
@@ -118,7 +118,7 @@ def draw_rim_content(study):
                 panels[row, column].plot(values[at], marker="o", markersize=3, label=variant.name,
                                          **look(variant))
     for row, component in enumerate(("z", "r")):
-        for column, what in enumerate(("standing in space", "root mean square of the rest")):
+        for column, what in enumerate(("stationary in the fixed frame", "remainder, rms")):
             panels[row, column].set(title=f"{COMPONENTS[component]}, {what}", yscale="log")
         panels[row, 0].set_ylabel("amplitude [um]")
     for axes in panels[1]:

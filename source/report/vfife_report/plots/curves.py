@@ -9,8 +9,8 @@ from .style import COLOURS, add_legend, plt
 GROUPS = (("root stresses", ("root tension", "root compression", "root stress range")),
           ("von Mises stresses, largest", ("von Mises largest",)))
 LINES = ("-", "--", ":")  # where there are more curves than colours
-NOT_DRAWN = ("trend per mesh cycle", "change from mesh to mesh (rms)", "periodic share of the variance",
-             "duration of the passage", "in contact for", "allowed contact pressure")
+NOT_DRAWN = ("trend per mesh cycle", "change between mesh cycles (rms)", "periodic share of the variance",
+             "duration of the passage", "contact duration", "allowed contact pressure")
 
 
 def is_wide(values):

@@ -63,16 +63,16 @@ def draw_waves_met(run):
     if met is not None:
         draw_meetings(axes, met)
     axes.set(xlim=(0, end), ylim=(0, top), xlabel="pinion speed [rpm]", ylabel="frequency [kHz]")
-    axes.set_title("Waves and mesh orders as an observer at rest sees them", pad=16)
+    axes.set_title("Waves and mesh orders in the fixed frame", pad=16)
     axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.13, 1.), frameon=False)
     return plot
 
 
 def draw_meetings(axes, met):
-    """Resonances in contact, those of the swing apart."""
+    """Resonances in contact, those of the torsional mode with another mark."""
     height = 1e-3 * met["mesh order"] * met["mesh frequency"]
     swing = met["share of the turn"] > met["share of the wave"]
-    for rows, mark, size, name in ((~swing, ".", 12, "resonance in contact"), (swing, "*", 90, "swing in contact")):
+    for rows, mark, size, name in ((~swing, ".", 12, "resonance in contact"), (swing, "*", 90, "torsional mode in contact")):
         if np.any(rows):
             axes.scatter(met["speed"][rows], height[rows], s=size, marker=mark, color=COLOURS[0], label=name, zorder=3)
 

@@ -11,8 +11,13 @@ from .style import COLOURS, GREY, PALE, add_legend, label_ends, plt
 NAMED_PAIRS = 24  # more of them have no room for their names
 
 
+def find_times(run):
+    """Abscissa of a history and its label: an equilibrium has parts of the loads in place of times."""
+    return (run.history["time"], "part of the loads") if run.is_equilibrium() else (1e3 * run.history["time"], "time [ms]")
+
+
 def mark_steady_part(run, axes):
-    """To be called when the curves are drawn: the words stand in a strip above all of them."""
+    """To be called when the curves are drawn: the words are in a strip above all of them."""
     part = run.steady_part()
     if part:
         low, high = axes.get_ylim()
@@ -20,7 +25,7 @@ def mark_steady_part(run, axes):
         start, end, found = part
         axes.axvspan(1e3 * start, 1e3 * end, color=PALE, zorder=0)
         text = "last third (not steady)" if not found else (
-            "means steady, ripple not" if run.is_ripple_steady() is False else "steady part")
+            "steady means, unsteady ripple" if run.is_ripple_steady() is False else "steady part")
         axes.annotate(text, (1e3 * start, 1),
                       xycoords=("data", "axes fraction"), xytext=(3, -10),
                       textcoords="offset points", fontsize=8, color=GREY)
@@ -50,15 +55,15 @@ def draw_transmission_error(run):
                       label=f"{text}, mean over a mesh cycle")
         # Hub and rim are so far apart that their ripples would be lines.
         below.plot(time, history[name] - run.steady_values(name).mean(), color=colour, linewidth=0.8,
-                   label=f"{text} less its mean")
+                   label=f"{text} minus its mean")
     axes.set_ylabel(history.label("dte"))
-    axes.set_title("Dynamic transmission error: as it is (thin), mean over a mesh cycle (thick)")
+    axes.set_title("Dynamic transmission error (thin), and its mean over a mesh cycle (thick)")
     mark_steady_part(run, axes)
     finish_time_axis(run, axes)
     axes.set_xlabel("")
     label_ends(axes, [(time[-1], history[name][-1], text, colour)
                             for name, text, colour in curves])
-    below.set(title="Less its mean over the part that figures are of", ylabel="[arcsec]", xlabel="time [ms]")
+    below.set(title="Dynamic transmission error minus its mean over the marked part", ylabel="[arcsec]", xlabel="time [ms]")
     below.margins(x=0)
     add_legend(below, fontsize=8, ncol=2)
     return plot
@@ -73,7 +78,7 @@ def draw_contact_force(run):
     title = "Contact force"
     if teeth is not None and "pinion tooth" in teeth:
         named = draw_tooth_pairs(axes, history, teeth)
-        title += " and its share on tooth pairs" + " (pinion tooth/gear tooth)" * named
+        title += " of all and of single tooth pairs" + " (pinion tooth/gear tooth)" * named
     axes.set_ylabel("contact force [N]")
     axes.set_ylim(bottom=0)
     mark_steady_part(run, axes)
@@ -116,7 +121,7 @@ def list_model_probes(run):
 def draw_model_probes(run):
     """Displacements of each probe of a model without a gear pair, and von Mises stresses below."""
     history, probes = run.history, list_model_probes(run)
-    time = 1e3 * history["time"]
+    time, label = find_times(run)
     plot, panels = plt.subplots(len(probes) + 1, 1, sharex=True, squeeze=False, figsize=(8, 1 + 2.2 * (len(probes) + 1)))
     for number, (name, axes) in enumerate(zip(probes, panels[:, 0])):
         for axis, colour in zip("xyz", COLOURS[1:]):
@@ -127,7 +132,7 @@ def draw_model_probes(run):
     below = panels[-1, 0]
     for name, colour in zip(probes, np.resize(COLOURS, len(probes))):
         below.plot(time, history[f"{name} von mises"], color=colour, label=name)
-    below.set(title="von Mises stress", ylabel="[MPa]", xlabel="time [ms]", ylim=(0, None))
+    below.set(title="von Mises stress at the probes", ylabel="[MPa]", xlabel=label, ylim=(0, None))
     below.margins(x=0)
     add_legend(below, fontsize=9)
     return plot
@@ -135,12 +140,12 @@ def draw_model_probes(run):
 
 def draw_energies(run):
     history = run.history
-    time = 1e3 * history["time"]
+    time, label = find_times(run)
     plot, (above, below) = plt.subplots(2, 1, sharex=True, figsize=(8, 6.5))
     above.plot(time, 100 * history["energy error"], color=COLOURS[0])
     mark_steady_part(run, above)
     above.set_ylabel("energy error [%]")
-    above.set_title("Residual of the energy ledger over the largest energy so far")
+    above.set_title("Residual of the energy balance over the largest energy exchanged so far")
     shown = ("strain energy", "contact energy", "relative kinetic energy", "damping loss",
              "taken by the driven speed damping", "driven speed damping loss", "contact loss")
     for number, name in enumerate(n for n in shown if n in history and np.any(history[n])):
@@ -149,8 +154,8 @@ def draw_energies(run):
                    label=name.replace(" energy", ""))
     add_legend(below, fontsize=9)
     below.set_ylabel("change since the start [mJ]")
-    below.set_title("Energies")
-    below.set_xlabel("time [ms]")
+    below.set_title("Changes of the energies")
+    below.set_xlabel(label)
     below.margins(x=0)
     return plot
 
@@ -167,7 +172,7 @@ def draw_probes(run):
         curves.append((time[-1], probes["von mises"][rows][-1], name, colour))
     axes.set_ylabel(probes.label("von mises"))
     axes.set_ylim(bottom=0)
-    axes.set_title("Stress at the probes (averaged to nodes)")
+    axes.set_title("Von Mises stress at the probes (averaged at nodes)")
     finish_time_axis(run, axes)
     label_ends(axes, curves)
     return plot

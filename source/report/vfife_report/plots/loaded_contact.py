@@ -3,7 +3,7 @@
 from ..data.table import Table
 from .style import add_legend, plt
 
-POSITION = "position, mesh cycles"
+POSITION = "position [mesh cycles]"
 
 
 def plot_columns(axes, table, names, label, scale=1.0):
@@ -18,7 +18,7 @@ def plot_deviations(axes, table, names):
     for name in names:
         mean = table[name].mean()
         axes.plot(table["position"], table[name] - mean, ".-", label=f"{name}, mean {mean:.3g}")
-    axes.set(xlabel=POSITION, ylabel="arcsec less the mean")
+    axes.set(xlabel=POSITION, ylabel="deviation from the mean [arcsec]")
     add_legend(axes)
 
 
@@ -27,18 +27,18 @@ def plot_shares(axes, table):
         own = (table["pinion tooth"] == pair[0]) & (table["gear tooth"] == pair[1])
         axes.plot(table["position"][own], table["share of torque"][own], ".-",
                   label=f"teeth {pair[0]:.0f}/{pair[1]:.0f}")
-    axes.set(xlabel=POSITION, ylabel="share of the torque")
+    axes.set(xlabel=POSITION, ylabel="share of torque")
     add_legend(axes)
 
 
 def draw_loaded_contact(run):
-    """Transmission error with and without load, load sharing, mesh stiffness, stresses."""
+    """Transmission error with and without load, load sharing, gear mesh stiffness, stresses."""
     table = Table(run.path / "loaded_contact.csv")
     plot, axes = plt.subplots(2, 2, figsize=(10, 7))
     plot_deviations(axes[0][0], table, ["unloaded transmission error", "transmission error"])
     plot_shares(axes[0][1], Table(run.path / "loaded_teeth.csv"))
-    plot_columns(axes[1][0], table, ["secant stiffness", "tangent stiffness"], "MN m/rad", 1e-6)
+    plot_columns(axes[1][0], table, ["secant stiffness", "tangent stiffness"], "gear mesh stiffness [MN m/rad]", 1e-6)
     stresses = [name for name in ("pinion fillet von mises", "gear fillet von mises",
                                   "web von mises") if name in table]
-    plot_columns(axes[1][1], table, stresses, "MPa")
+    plot_columns(axes[1][1], table, stresses, "largest von Mises stress [MPa]")
     return plot

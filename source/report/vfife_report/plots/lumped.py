@@ -7,7 +7,7 @@ from .speed_response import draw_sweep
 from .style import COLOURS, GREY, plt
 
 SHOWN_MESHES = 10
-MOTIONS = (("dte", "transmission error [arcsec]"), ("mesh force", "mesh force [N]"))
+MOTIONS = (("dte", "transmission error [arcsec]"), ("mesh force", "gear mesh force [N]"))
 
 
 def draw_motion(run):
@@ -30,7 +30,7 @@ def draw_response(run):
     modes = read_json(run.path / "lumped.json", LUMPED)["modes"]
     for axes in panels:
         mark_critical_speeds(axes, modes, speeds)
-    panels[0].set_title("Response over speed; dotted: a mesh order meets a natural frequency")
+    panels[0].set_title("Response over speed (dotted: resonance of a mesh order)")
     return plot
 
 

@@ -44,8 +44,8 @@ def draw_meridians(bodies):
         draw_meridian(axes, title, parts)
     for axes in panels[len(bodies):]:
         axes.set_axis_off()
-    plot.supxlabel("along the axis from the apex, mm")
-    plot.supylabel("radius, mm")
+    plot.supxlabel("along the axis from the apex [mm]")
+    plot.supylabel("radius [mm]")
     fullest = max(zip(panels, bodies), key=lambda pair: len(pair[1][1]))[0]
     # Beside the panels: where a web leaves room in one, another one's fills it.
     panels[columns - 1].legend(*fullest.get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(1.01, 1), fontsize=8,

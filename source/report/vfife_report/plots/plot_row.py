@@ -45,7 +45,7 @@ def draw_rows(rows, source, folder, names=()):
                 plot = row.draw(source) if one is None else row.draw(source, one)
             except (ArithmeticError, LookupError, TypeError) as error:
                 raise DamagedFile(f"{folder}: {name} cannot be drawn: its numbers"
-                                  f"{' in ' + row.data if row.data else ''} contradict each other") from error
+                                  f"{' in ' + row.data if row.data else ''} are inconsistent") from error
             if plot is not None:
                 path = save_plot(plot, folder / "pictures" / name)
                 data = path.with_suffix(".csv")

@@ -11,12 +11,12 @@ SHOWN_HISTORIES = 5  # largest number of nodal diameters
 
 
 def draw_rim_content(run):
-    """What stands in space and what moves, by nodal diameters."""
+    """The part that is stationary in the fixed frame and the remainder, by nodal diameters."""
     rows = run.steady_rows(run.rim)
     both = measure_waves(run.rim, rows, run.gear_turn(run.rim["time"][rows]))
     plot, panels = plt.subplots(1, 2, figsize=(9, 4))
     numbers = np.arange(both[0].shape[1])
-    for axes, values, title in zip(panels, both, ("standing in space", "rest, root mean square")):
+    for axes, values, title in zip(panels, both, ("stationary in the fixed frame", "remainder, rms")):
         for k, component in enumerate(COMPONENTS):
             axes.plot(numbers, values[k], "o-", markersize=4, color=COLOURS[k + 1],
                       label=COMPONENTS[component])
@@ -27,13 +27,13 @@ def draw_rim_content(run):
 
 
 def draw_rim_history(run):
-    """Amplitudes over time of the axial waves that do not stand in space."""
+    """Amplitudes over time of the axial waves without their stationary part."""
     plot, axes = plt.subplots()
     for n in range(min(SHOWN_HISTORIES, count_diameters(run.rim)) + 1):
         time, rest = find_axial_rest(run, n)
         axes.plot(1e3 * time, rest.real if n == 0 else np.abs(rest), color=COLOURS[n % len(COLOURS)],
-                  label=f"{n} diameters")
-    axes.set(title="Axial waves of the rim that do not stand in space (0 diameters: with sign)",
+                  label=f"{n} diameter{'s' * (n != 1)}")
+    axes.set(title="Axial waves of the rim without the stationary part (0 diameters: with sign)",
              xlabel="time [ms]", ylabel="amplitude [um]")
     axes.margins(x=0)
     add_legend(axes, ncol=3, fontsize=9)
@@ -53,10 +53,10 @@ def draw_rim_waves(run):
             spacing = frequency[1]
         axes.set_ylim(bottom=0)
         axes.set_xlim(0, 1e-3 * top)
-        axes.set_title(f"{n} nodal diameters", fontsize=9)
+        axes.set_title(f"{n} nodal diameter{'s' * (n != 1)}", fontsize=9)
     add_legend(panels[-1], fontsize=8, loc="upper right")
-    panels[-1].set_xlabel("frequency in the turning gear [kHz]")
+    panels[-1].set_xlabel("frequency in the rotating frame [kHz]")
     plot.supylabel("amplitude of the axial motion [um]", fontsize=10)
-    plot.suptitle(f"Hann's window, bins {spacing:.0f} Hz apart; 0 nodal diameters have no direction",
+    plot.suptitle(f"Hann window, line spacing {spacing:.0f} Hz. Waves of 0 nodal diameters have no direction.",
                   x=0.01, ha="left", fontsize=9, color=GREY)
     return plot

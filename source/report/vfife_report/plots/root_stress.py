@@ -8,7 +8,7 @@ from ..data.table import Table
 from .style import COLOURS, SIGNED_MAP, add_legend, plt
 
 AFTER = "after the mesh"
-SHOWN = 4  # mesh cycles on either side of the mesh
+SHOWN = 4  # mesh cycles on either side of the mean contact
 
 
 def list_fillets(table):
@@ -54,7 +54,7 @@ def plot_members(table, label):
 
 def draw_root_stress(run):
     table = Table(run.path / "root_stress.csv")
-    plot, curves = plot_members(table, "mesh cycles after the mesh")
+    plot, curves = plot_members(table, "mesh cycles after the mean contact")
     for axes, colour, body, fillet in curves:
         at, tension, compression = extremes(table, rows_of(table, body, fillet))
         near = np.abs(at) <= SHOWN
@@ -83,7 +83,7 @@ def draw_envelope(run):
             axes.set(title=f"{body}, {fillet} fillet: {stress}, {extreme:.0f} MPa", ylabel="profile [mm]")
             axes.grid(False)
     for axes in all_axes[-1]:
-        axes.set_xlabel("face, mm from the toe")
+        axes.set_xlabel("face, from the toe [mm]")
     plot.colorbar(shades, ax=list(all_axes.flat), label="principal stress [MPa]", shrink=0.6)
     return plot
 
@@ -91,7 +91,7 @@ def draw_envelope(run):
 def draw_sections(run):
     """Steps, since a section is as long as its facets."""
     table = Table(run.path / "root_sections.csv")
-    plot, curves = plot_members(table, "face, mm from the toe")
+    plot, curves = plot_members(table, "face, from the toe [mm]")
     for axes, colour, body, fillet in curves:
         rows = rows_of(table, body, fillet)
         sides = np.append(table["face from"][rows], table["face to"][rows][-1])
@@ -113,6 +113,6 @@ def draw_gauges(run):
         order = np.argsort(x, kind="stable")
         near = slice(None) if over_time else np.abs(x[order]) <= SHOWN
         axes.plot(x[order][near], table["strain"][rows][order][near], label=name)
-    axes.set(xlabel="time [ms]" if over_time else "mesh cycles after the mesh", ylabel=table.label("strain"))
+    axes.set(xlabel="time [ms]" if over_time else "mesh cycles after the mean contact", ylabel=table.label("strain"))
     add_legend(axes)
     return plot

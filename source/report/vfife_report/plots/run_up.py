@@ -25,7 +25,7 @@ def draw_orders(run):
         axes.set_ylabel(orders.label(name))
         axes.set_ylim(bottom=0)
     add_legend(panels[0], ncol=2, fontsize=9)
-    panels[0].set_title("Amplitudes of the mesh orders, in windows of whole mesh cycles")
+    panels[0].set_title("Amplitudes of the mesh orders in windows of whole mesh cycles")
     panels[-1].set_xlabel(f"{orders.label('speed')} of the driver")
     return plot
 
@@ -74,7 +74,7 @@ def draw_waterfall(run, column=TRANSMISSION_ERROR):
     axes.set_xlim(0, 1e-3 * top)
     axes.grid(False)
     axes.set(xlabel="frequency [kHz]", ylabel=f"{history.label('speed')} of the driver")
-    axes.set_title(f"Spectra of the {column} over the speed; dotted: mesh orders", pad=18)
+    axes.set_title(f"Spectra of the {column} over the speed (dotted: mesh orders)", pad=18)
     plot.colorbar(shades, ax=axes, label=f"logarithm of the amplitude [{history.units[column]}]")
     attach_numbers(plot, ["speed [rpm]", "frequency [Hz]", f"amplitude [{history.units[column]}]"],
                    ([f"{s:.9g}", f"{f:.9g}", f"{a:.6g}"] for s, row in zip(speed, amplitude[:, shown])

@@ -24,7 +24,7 @@ def draw_spectra(run):
         axes.set_ylim(bottom=0)
         axes.set_ylabel(f"amplitude [{unit}]")
         axes.set_title(name)
-    panels[-1].set_xlabel("order of the mesh frequency")
+    panels[-1].set_xlabel("mesh order")
     panels[-1].set_xlim(0, HIGHEST_LINE_ORDER + 0.2)
     panels[-1].set_xticks(range(HIGHEST_LINE_ORDER + 1))
     frequency = run.value("mesh frequency")
@@ -34,7 +34,7 @@ def draw_spectra(run):
     above.tick_params(labelsize=8, colors=GREY)
     spacing = frequency * orders[1]
     part = "steady part" if run.is_steady() else "last third, not steady"
-    plot.suptitle(f"Amplitudes over whole meshes ({part}), lines {spacing:.0f} Hz apart",
+    plot.suptitle(f"Amplitudes over whole mesh cycles ({part}), line spacing {spacing:.0f} Hz",
                   x=0.01, ha="left", fontsize=9, color=GREY)
     return plot
 
@@ -58,7 +58,7 @@ def draw_sidebands(run, column=TRANSMISSION_ERROR):
         for shaft, colour in zip(shafts, COLOURS[1:]):
             for turns in (t for t in range(-TURNS, TURNS + 1) if t != 0):
                 axes.axvline(turns * shaft.frequency, color=colour, linestyle=":", linewidth=0.9,
-                             label=f"turns of the {shaft.name}" if turns == 1 else None)
+                             label=f"rotations of the {shaft.name}" if turns == 1 else None)
         axes.set(yscale="log", ylabel=f"[{run.history.units[column]}]",
                  title=f"{column} around mesh order {order} ({order * mesh:.0f} Hz)")
     panels[-1].set_xlabel("distance from the harmonic [Hz]")

@@ -39,7 +39,7 @@ def draw_speed_curves(study):
     for axes in panels:
         axes.margins(x=0.01)
     add_legend(panels[0], fontsize=8)
-    panels[0].set_title("Largest over the counted mesh cycles at each speed")
+    panels[0].set_title("Values over the recorded mesh cycles at each speed")
     panels[-1].set_xlabel("pinion speed [rpm]")
     return plot
 

@@ -5,7 +5,7 @@ import numpy as np
 from ..data.table import Table
 from .style import COLOURS, add_legend, plt
 
-RESPONSES = (("peak to peak dte", "DTE, peak to peak [arcsec]"), ("largest force", "largest mesh force [N]"))
+RESPONSES = (("peak to peak dte", "DTE, peak to peak [arcsec]"), ("largest force", "largest contact force [N]"))
 DIRECTIONS = (("up", "o", COLOURS[1]), ("down", "x", COLOURS[2]))
 
 
@@ -35,7 +35,7 @@ def draw_reduced_response(run):
 
 
 def draw_wave_response(run):
-    """Waves of the rim that do not stand in space, a panel each number of diameters."""
+    """Waves of the rim without their stationary part, a panel each number of diameters."""
     waves = Table(run.path / "wave_response.csv")
     numbers = [n for n in range(1, 100) if f"running wave {n}" in waves]
     plot, panels = plt.subplots(len(numbers), 1, sharex=True, squeeze=False,
@@ -50,6 +50,6 @@ def draw_wave_response(run):
         axes.set_ylim(bottom=0)
         axes.margins(x=0.01)
     add_legend(panels[0, 0])
-    panels[0, 0].set_title("Axial waves of the rim with n diameters: largest motion beside what stands in space")
+    panels[0, 0].set_title("Axial waves of the rim with n diameters, largest deviation from the stationary part")
     panels[-1, 0].set_xlabel("pinion speed [rpm]")
     return plot

@@ -45,7 +45,8 @@ def draw_static_curve(study):
     axes.plot(table["position"] % 1, table["transmission error"], "o", color=COLOURS[0], label="static pair")
     for number, variant in enumerate(study.pairs):
         position, means = compute_mean_mesh(variant.run, TRANSMISSION_ERROR)
-        axes.plot(position, means, color=COLOURS[1 + number % 6], label=f"{variant.name}, mean mesh")
-    axes.set(title="Transmission error over a mesh cycle; of runs the mean mesh cycle of the steady part", xlabel="position, mesh cycles", ylabel="dte [arcsec]")
+        axes.plot(position, means, color=COLOURS[1 + number % 6], label=f"{variant.name}, mean mesh cycle")
+    axes.set(title="Transmission error over a mesh cycle (runs: mean mesh cycle of the steady part)", xlabel="position [mesh cycles]",
+             ylabel="dte [arcsec]")
     add_legend(axes)
     return plot

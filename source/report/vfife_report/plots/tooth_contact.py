@@ -21,7 +21,7 @@ def plot_pattern(axes, run, body):
     else:
         sine, cosine = np.sin(np.radians(pitch)), np.cos(np.radians(pitch))
         along, upward = z * cosine + r * sine, r * cosine - z * sine
-        names = "L, mm (heel to the right)", "h, mm (tip up)"
+        names = "L [mm] (heel to the right)", "h [mm] (tip up)"
     shades = axes.tricontourf(along, upward, share, levels=np.linspace(0, 1, 21), cmap=PRESSURE_MAP)
     axes.plot(along, upward, ".", markersize=1.5, color=GREY)
     face, profile = (run.stated.get(f"pattern along the {name}, {body}", {}).get("value")
@@ -47,7 +47,7 @@ def draw_contact_pattern(run):
     for axes, body in zip(all_axes[0], bodies):
         shades = plot_pattern(axes, run, body)
         axes.set_title(body)
-    plot.colorbar(shades, ax=list(all_axes[0]), label="pressure over its largest", ticks=np.linspace(0, 1, 6), shrink=0.7)
+    plot.colorbar(shades, ax=list(all_axes[0]), label="pressure over largest pressure", ticks=np.linspace(0, 1, 6), shrink=0.7)
     return plot
 
 
@@ -63,7 +63,7 @@ def draw_contact_patterns(study):
             axes.set_title(f"{body}, {variant.name}")
             if variant is not variants[-1]:
                 axes.set_xlabel("")
-    plot.colorbar(shades, ax=all_axes.ravel().tolist(), label="pressure over its largest", ticks=np.linspace(0, 1, 6), shrink=0.5)
+    plot.colorbar(shades, ax=all_axes.ravel().tolist(), label="pressure over largest pressure", ticks=np.linspace(0, 1, 6), shrink=0.5)
     return plot
 
 
@@ -91,12 +91,12 @@ def draw_load_sharing(run):
         pair = f"teeth {tooth:.0f}/{gear_tooth:.0f}"
         above.plot(meshes, shares, ".", markersize=3, color=colour, label=pair)
         below.plot(meshes, teeth["hertz pressure"][rows], "-", linewidth=0.8, color=colour,
-                   label=f"{pair}, hertz pressure")
+                   label=f"{pair}, Hertzian pressure")
     above.set_ylabel("share of the contact force")
     above.set_ylim(bottom=0)
-    above.set_title("Share of each tooth pair, all moved to the position of the first")
+    above.set_title("Share of each tooth pair, shifted to the position of the first")
     below.set_ylabel("pressure [MPa]")
-    below.set_title("Largest pressure of Hertz's ellipse")
+    below.set_title("Largest Hertzian pressure of each tooth pair")
     below.set_ylim(bottom=0)
     below.set_xlabel("mesh cycles")
     return plot
@@ -112,16 +112,16 @@ def draw_tooth_engagement(run):
     plot, (above, below) = plt.subplots(2, 1, sharex=True, figsize=(8, 6))
     above.plot(meshes, teeth["force"][rows], color=COLOURS[0], label="force")
     above.set_ylabel(teeth.label("force"))
-    whole = "first to last touch" if one.whole else "only in part within the record"
+    whole = "from first to last contact" if one.whole else "part of the engagement"
     above.set_title(f"Teeth {one.pinion_tooth}/{one.gear_tooth}, {whole}")
-    below.plot(meshes, teeth["hertz pressure"][rows], color=COLOURS[1], label="hertz pressure")
+    below.plot(meshes, teeth["hertz pressure"][rows], color=COLOURS[1], label="Hertzian pressure")
     allowed = find_allowed_pressure(run)
     if allowed:
         below.axhline(allowed, color=GREY, linestyle=":", label="allowed")
         below.annotate("allowed", (0, allowed), xytext=(3, 3), textcoords="offset points", fontsize=8, color=GREY)
-    below.set_title("Largest pressure of Hertz's ellipse under this force, inside the flanks")
+    below.set_title("Largest Hertzian pressure under this force, inside the flanks")
     below.set_ylabel("contact pressure [MPa]")
-    below.set_xlabel("mesh cycles since the first touch")
+    below.set_xlabel("mesh cycles since the first contact")
     for axes in (above, below):
         axes.set_ylim(bottom=0)
     return plot

@@ -42,12 +42,12 @@ def plot_lag(axes, rows):
             edges.add(edge)
     least, place = find_least_lag(rows)
     if place:
-        axes.plot(place, least, "-", lw=3, alpha=0.25, color=COLOURS[0], label="touching pair")
+        axes.plot(place, least, "-", lw=3, alpha=0.25, color=COLOURS[0], label="pair in contact")
         largest = max(r["lag"] for r in rows if r["contact"] == "flanks" and r["inside"])
         axes.set_ylim(max(1.5 * max(least), 1.2 * largest), min(0, min(least)) - 0.3)
-    axes.plot([], [], "-.", color=GREY, label="on an edge")
-    axes.plot([], [], ":", color=GREY, label="flanks beyond their borders")
-    axes.set(xlabel="pinion rotation, pitches", ylabel="lag of the gear, arcsec (down)")
+    axes.plot([], [], "-.", color=GREY, label="edge contact")
+    axes.plot([], [], ":", color=GREY, label="flanks extended beyond their borders")
+    axes.set(xlabel="pinion rotation [pitches]", ylabel="lag of the gear [arcsec] (down)")
     axes.locator_params(axis="x", nbins=5)
     axes.legend(fontsize=8, ncol=3, loc="lower right", bbox_to_anchor=(1, 1), frameon=False,
                 borderaxespad=0.2, columnspacing=1, handlelength=1.2)
@@ -77,7 +77,7 @@ def plot_pattern(axes, rows, border):
         ellipse.set_clip_path(flank)
     axes.plot([r["gear L"] for r in rows], [r["gear h"] for r in rows], ".-",
               color=COLOURS[2], label="path of contact")
-    axes.set(xlabel="gear L, mm (heel to the right)", ylabel="gear h, mm", aspect="equal")
+    axes.set(xlabel="gear L [mm] (heel to the right)", ylabel="gear h [mm]", aspect="equal")
     axes.legend(loc="lower right", bbox_to_anchor=(1, 1), fontsize=8, frameon=False, borderaxespad=0)
 
 
@@ -85,8 +85,8 @@ def plot_ease_off(axes, rows):
     values = [r["ease-off"] for r in rows]
     shades = axes.tricontourf([r["gear L"] for r in rows], [r["gear h"] for r in rows],
                               values, levels=ROUND_LEVELS.tick_values(min(values), max(values)), cmap=STRESS_MAP)
-    plt.colorbar(shades, ax=axes, label="ease-off, um", orientation="horizontal")
-    axes.set(xlabel="gear L, mm (heel to the right)", ylabel="gear h, mm", aspect="equal")
+    plt.colorbar(shades, ax=axes, label="ease-off [um]", orientation="horizontal")
+    axes.set(xlabel="gear L [mm] (heel to the right)", ylabel="gear h [mm]", aspect="equal")
 
 
 def find_border(rows):

@@ -75,16 +75,16 @@ def draw_waterfall(study, column):
     lowest = 0.5 * min([speeds.frequencies[0]] + [m.frequencies.min() for m in beside.modes])
     largest = 3.3 * speeds.frequencies[-1]
     above.set(xscale="log", xlim=(1e-3 * lowest, 1e-3 * largest), xlabel="frequency [kHz]",
-              title="over frequency; grey: mesh orders" + ("; red: coupled modes" if modes else ""))
+              title="Spectra over frequency (grey: mesh orders" + (", red: coupled modes" if modes else "") + ")")
     ticks = [tick for tick in (0.2, 0.5, 1, 2, 5, 10, 20, 50) if 1e-3 * lowest <= tick <= 1e-3 * largest]
     above.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
     mark_orders(above, speeds, 1e-3 * largest)
-    below.set(xlim=(0, SHOWN_MESH_ORDERS + 0.2), xlabel="order of the mesh frequency",
-              title="over mesh order")
+    below.set(xlim=(0, SHOWN_MESH_ORDERS + 0.2), xlabel="mesh order",
+              title="Spectra over mesh order")
     below.xaxis.grid(True)
     unit = speeds.axis.variants[0].run.history.units[column]
-    plot.suptitle(f"{column}: amplitudes above {base:.2g} {unit}, {ROWS_PER_DECADE:g} rows a factor of "
-                  f"ten, largest {top:.3g} {unit}", x=0.01, ha="left", fontsize=9, color=GREY)
+    plot.suptitle(f"{column}: amplitudes above {base:.2g} {unit}, {ROWS_PER_DECADE:g} row heights per factor of ten, "
+                  f"largest amplitude {top:.3g} {unit}", x=0.01, ha="left", fontsize=9, color=GREY)
     rows = [[f"{value:g}", f"{f:.9g}", f"{f / mesh:.9g}", f"{a:.9g}"]
             for value, mesh, spectrum in zip(speeds.axis.values, speeds.frequencies, spectra)
             if spectrum is not None for f, a in zip(*spectrum) if f <= SHOWN_MESH_ORDERS * mesh]

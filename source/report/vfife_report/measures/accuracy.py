@@ -1,0 +1,40 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""Accuracy of results in words: errors of the reference pair by the degree of the elements, and named reasons where an error is
+not known."""
+
+# Loaded analyses of the reference pair on coarse to fine meshes by the elements' degree: mean transmission error, its peak to peak,
+# root stress (doc/verification/gear-pair.md).
+MEAN_ERROR = {1: "1 to 5 % too small on meshes of the reference pair", 2: "up to 1 % too small on meshes of the reference pair",
+              3: "within 0.2 % on meshes of the reference pair"}
+FREQUENCY_ERROR = {1: "1 to 3 % too high on the coarse gear of the reference pair", 2: "0.3 to 0.9 % too high on the coarse gear of the "
+                   "reference pair", 3: "within 0.01 % on the coarse gear of the reference pair"}
+RIPPLE_ERROR = {1: "2 to 40 % too large on meshes of the reference pair", 2: "up to 23 % too large on meshes of the reference pair",
+                3: "within 2 % on meshes of the reference pair"}
+ROOT_ERROR = {1: "not converged: one third to two thirds of the true value", 2: "not converged: 20 to 24 % below a finer mesh of the reference pair",
+              3: "not converged: 8 to 10 % below a finer mesh of the reference pair"}
+INSIDE = "valid inside the flanks, not at edges"
+# Pressure on the own grid inside the flanks (doc/verification/contact.md).
+GRID_ERROR = "within 2.5 % with 12 elements lengthwise, up to 21 % too large with 4 to 6, for the reference pair"
+# Unloaded contact has no elements (doc/verification/geometry.md).
+NO_MESH = "computed on the generated flanks, without mesh"
+LAG_ERROR = "without mesh; within 0.01 arcsec for the reference pair"
+EDGE_ERROR = "without mesh; within 0.02 arcsec in the verification"
+# Predicted peaks beside computed ones of the reference pair with 1 % damping, by nodal diameters (doc/verification/waves.md).
+LINEAR_ERRORS = {2: "linear theory: 1.4 % from the computed peaks of the reference pair with 1 % damping",
+                 3: "linear theory: within 0.6 % of the computed peaks of the reference pair with 1 % damping"}
+LINEAR_ONLY = "linear theory; no error estimate: set Waves/simulate response"
+NO_ESTIMATE = "no error estimate: compare two meshes"
+ONE_MESH = "unknown with one mesh: compare two meshes"
+AT_CORNERS = "not converged at a sharp corner"
+GIVEN_DAMPING = "depends on the given damping"
+
+PAIR_PAGE = "doc/verification/gear-pair.md"
+MESH_PAGE = "doc/how-to/choose-the-mesh.md"
+VARIANTS_PAGE = "doc/how-to/variants-and-error-bars.md"
+DAMPING_PAGE = "doc/how-to/choose-damping.md"
+LIMITS_PAGE = "doc/reference/limits.md"
+
+
+def find_degree(run):
+    """Degree of the elements of an analysis by conventional finite elements; others have 8-node elements."""
+    return {"quadratic": 2, "cubic": 3}.get(run.parameters.get("Fem/element type"), 1)

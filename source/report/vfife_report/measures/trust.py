@@ -1,0 +1,129 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""How far results can be trusted: result, whether it is steady in time, whether it has converged with the mesh, page with the
+reason."""
+from ..data.naming import describe_pair
+from ..data.table import read_table
+from .accuracy import (DAMPING_PAGE, FREQUENCY_ERROR, GRID_ERROR, LIMITS_PAGE, MEAN_ERROR, MESH_PAGE, ONE_MESH, PAIR_PAGE, RIPPLE_ERROR,
+                       ROOT_ERROR, VARIANTS_PAGE, find_degree)
+from .main_results import describe_mean, is_loaded_analysis, is_pair_run
+from .study_results import list_asked_ranges
+
+TRUST_HEADER = ["result", "steady in time", "converged with the mesh", "page"]
+YES, NO, NOT_JUDGED = "yes", "no", "not judged"
+RIPPLE = {True: YES, False: NO, None: NOT_JUDGED}
+CORNERS = ["stress at sharp corners and edges", "", "no: unbounded", LIMITS_PAGE]
+
+
+def trust_pair(run):
+    if is_pair_run(run):
+        degree, ripple = 1, RIPPLE[run.is_ripple_steady()]
+        yield ["mean transmission error, mean forces", YES if run.is_steady() else NO, describe_mean(run), PAIR_PAGE]
+        yield ["ripple of transmission error and forces", ripple, ONE_MESH, MESH_PAGE]
+        yield ["resonance peaks", ripple, "depend on the given damping", DAMPING_PAGE]
+    else:
+        degree = find_degree(run)
+        yield ["mean transmission error, load sharing", "", MEAN_ERROR[degree], PAIR_PAGE]
+        yield ["peak to peak of the transmission error", "", RIPPLE_ERROR[degree], PAIR_PAGE]
+    yield ["contact pressure (Hertz)", "", "inside the flanks it follows from force and curvatures; at edges it is not valid",
+           "doc/how-to/contact-pressure.md"]
+    if run.has_file("pressure.csv"):
+        yield ["contact pressure on the own grid", "", f"inside the flanks {GRID_ERROR}; at edges unbounded", "doc/verification/contact.md"]
+    yield ["root stress", "", ROOT_ERROR[degree], "doc/how-to/root-stress.md"]
+    yield ["stress of web, rim and hub", "", "converged away from sharp corners, where it is unbounded", LIMITS_PAGE]
+
+
+def trust_unloaded(run):
+    yield ["unloaded contact inside the flanks", "", "without mesh; within 0.01 arcsec for the reference pair", "doc/verification/geometry.md"]
+    yield ["edge contact", "", "without mesh; within 0.02 arcsec in the verification", "doc/verification/geometry.md"]
+    yield ["contact under load", "", "not computed by this kind", "doc/getting-started/choose-an-analysis.md"]
+
+
+def trust_waves(run):
+    lines = read_table(run.path / "waves_lines.csv")
+    computed = lines is not None and (lines["peak speed"] == lines["peak speed"]).any()
+    yield ["resonance speeds", "settled" if computed else "", ONE_MESH, MESH_PAGE]
+    yield ["widths and amplitudes", "settled" if computed else "", "depend on the given damping", DAMPING_PAGE]
+    yield ["waves of two nodal diameters", "", "linear theory is not accurate", "doc/verification/waves.md"]
+    if computed:
+        yield ["stress amplification", "", "upper bound for the given damping, torque and probes", "doc/reference/kinds.md"]
+
+
+def trust_modes(run):
+    from_pair = describe_pair(run.parameters)
+    yield ["natural frequencies", "", FREQUENCY_ERROR[find_degree(run)] if from_pair else ONE_MESH, MESH_PAGE if from_pair else VARIANTS_PAGE]
+    table = read_table(run.path / "modes.csv")
+    if table is not None and "residual" in table:
+        yield ["eigenvalues of this mesh", "", f"largest residual {table['residual'].max():.1g}", "doc/theory/fem.md"]
+    if from_pair:
+        yield ["resonance speeds", "", "for the free bodies; the contact shifts them", "doc/how-to/find-resonances.md"]
+
+
+def trust_lumped(run):
+    yield ["response", "settled; settling mesh cycles are given", "without mesh; depends on the given stiffness, error and damping",
+           "doc/theory/lumped.md"]
+
+
+def trust_speeds(run):
+    yield ["response at each speed", "not judged; settling mesh cycles are given", ONE_MESH, MESH_PAGE]
+    yield ["resonance peaks", "", "depend on the given damping and on the spacing of the speeds", DAMPING_PAGE]
+
+
+def trust_orders(run):
+    yield ["amplitudes of mesh orders", "no steady part; they depend on the rate of the speed change", ONE_MESH, MESH_PAGE]
+    yield ["resonance peaks", "", "depend on the given damping", DAMPING_PAGE]
+
+
+def trust_mesh(run):
+    yield ["volume, mass and inertia", "", "differences from the generated bodies are in the table", "doc/verification/geometry.md"]
+
+
+def trust_model(run):
+    if not run.summary:
+        return
+    steady = {"run": NOT_JUDGED, "static": "equilibrium to the given tolerance"}.get(run.summary.get("study"), "")
+    refined = read_table(run.path / "adaptive_refinement.csv")
+    if refined is not None and refined.n_rows > 1:
+        yield [str(refined["result"][-1]).partition(" [")[0], "", f"changes by {abs(refined['change'][-1]):.2g} % in the last refinement",
+               "doc/reference/kinds.md"]
+    yield ["displacements, forces and stresses", steady, ONE_MESH, VARIANTS_PAGE]
+    yield CORNERS
+
+
+TRUST_OF = (
+    (lambda run: is_pair_run(run) or is_loaded_analysis(run), trust_pair),
+    (lambda run: run.has_file("tca.json"), trust_unloaded),
+    (lambda run: run.has_file("waves_lines.csv"), trust_waves),
+    (lambda run: run.has_file("modes.csv"), trust_modes),
+    (lambda run: run.has_file("lumped.json"), trust_lumped),
+    (lambda run: run.has_file("resonance.csv") and run.has_file("wave_response.csv"), trust_speeds),
+    (lambda run: run.orders is not None, trust_orders),
+    (lambda run: run.meshes is not None, trust_mesh),
+    (lambda run: True, trust_model))
+
+
+def list_trust(run):
+    return list(next(list_rows for fits, list_rows in TRUST_OF if fits(run))(run))
+
+
+def list_study_trust(study):
+    """The same for a folder of runs: error bars, steadiness of the variants, differences."""
+    if study.error_bars:
+        for one in study.error_bars.quantities:
+            unknown = sum(error != error for error in one.errors)
+            if len(one.variants) > 1 and one.is_constant():
+                continue
+            yield [one.name, "", f"{unknown} of {len(one.errors)} errors unknown" if unknown else "error bar of each variant",
+                   VARIANTS_PAGE]
+        return
+    judged = [v.run for v in study.variants if v.run.steady_part()]
+    for name, *_, accuracy in list_asked_ranges(study):
+        yield [name, "", accuracy, VARIANTS_PAGE]
+    steady = f"{sum(run.is_steady() for run in judged)} of {len(judged)} runs" if judged else ""
+    if study.folder.has_file("comparison.json"):
+        yield ["agreement of the cases", steady, "cases with equal meshes have the same mesh error", "doc/how-to/compare-methods.md"]
+        return
+    if judged:
+        yield ["means of the variants", steady, ONE_MESH, VARIANTS_PAGE]
+        yield ["ripples of the variants", f"{sum(run.is_ripple_steady() is True for run in judged)} of {len(judged)} runs", ONE_MESH,
+               VARIANTS_PAGE]
+    yield ["differences between variants", "", "no error bars: name numerical parameters", VARIANTS_PAGE]
