@@ -222,7 +222,7 @@ class Results(unittest.TestCase):
         rows, trust, _ = self.read({"waves_lines.csv": header + large + "8640,9.6,0.021,0.01,0.01,1.2\n", "waves_frequencies.csv": frequencies})
         self.assertEqual(rows[0][1:], [8640, "rpm", f"fitted peak; 8627 rpm by linear theory; {NO_ESTIMATE}"])
         self.assertEqual([row[1] for row in rows[1:]], [2.1, 9.6, 1.2])
-        self.assertEqual(trust[0][1], "settled")
+        self.assertEqual(trust[0][1], "given decay times to settle")
 
     def test_variants(self):
         """Ranges over the variants; without error bars the page says how to get them."""

@@ -21,6 +21,7 @@ from vfife_report.data.variants import find_variants
 from vfife_report.measures.critical_speeds import choose_modes, list_critical_speeds
 from vfife_report.measures.run_lines import describe_resolution, list_other_lines
 from vfife_report.measures.sidebands import list_sidebands
+from vfife_report.measures.study_results import list_ranges
 from vfife_report.page.study_chapters import tell_responses
 from vfife_report.page.sweep_chapter import list_sentences
 from vfife_report.plots.curves import draw_curves
@@ -78,7 +79,9 @@ def write_sweep(folder, speeds):
 def write_response(folder, web, forces):
     """A sweep over speed with forces at 1000, 2000, 3000 rpm, and stresses a hundredth of them at two places."""
     folder.mkdir(parents=True)
-    (folder / "summary.json").write_text(json.dumps(make_summary()))
+    summary = make_summary()
+    del summary["steady part"]  # of one speed
+    (folder / "summary.json").write_text(json.dumps(summary))
     write_parameters(folder, {**make_parameters(), "Gear pair/Gear/Body/body type": (web, "")})
     rows = list(zip((1000, 2000, 3000), forces))
     (folder / "resonance.csv").write_text(
@@ -129,6 +132,9 @@ class Responses(unittest.TestCase):
         self.assertIn([name, "amplification", "web", 1.5, "-", 2000.0], peaks.rows)
         self.assertEqual(exceedances.rows[0], [name, "web", 1500.0, 2500.0, 1.3, 2000.0])
         self.assertEqual(len(exceedances.rows), 2)
+        # Their speeds differ: 2000 and 3000 rpm.
+        self.assertIn(["largest contact force", 11000.0, study.variants[1].name, 12000.0, name, "N"],
+                      [row[:6] for row in list_ranges(study)])
 
     def test_stresses(self):
         """Of one folder: with and without vibration."""

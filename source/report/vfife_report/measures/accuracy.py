@@ -20,7 +20,7 @@ NO_MESH = "computed on the generated flanks, without mesh"
 LAG_ERROR = "without mesh; within 0.01 arcsec for the reference pair"
 EDGE_ERROR = "without mesh; within 0.02 arcsec in the verification"
 # Predicted peaks beside computed ones of the reference pair with 1 % damping, by nodal diameters (doc/verification/waves.md).
-LINEAR_ERRORS = {2: "linear theory: 1.4 % from the computed peaks of the reference pair with 1 % damping",
+LINEAR_ERRORS = {2: "linear theory: within 1.4 % of the computed peaks of the reference pair with 1 % damping",
                  3: "linear theory: within 0.6 % of the computed peaks of the reference pair with 1 % damping"}
 LINEAR_ONLY = "linear theory; no error estimate: set Waves/simulate response"
 NO_ESTIMATE = "no error estimate: compare two meshes"

@@ -96,7 +96,7 @@ def list_wave_results(run):
         predicted = abs(float(lines["speed in contact"][k]))
         if computed[k]:
             yield (f"resonance speed, {name_wave(lines, k)}", abs(float(lines["peak speed"][k])), "rpm",
-                   f"fitted peak; {predicted:.5g} rpm by linear theory; {NO_ESTIMATE}")
+                   f"fitted peak; {predicted:.0f} rpm by linear theory; {NO_ESTIMATE}")
         else:
             yield (f"resonance speed, {name_wave(lines, k)}", predicted, "rpm",
                    LINEAR_ERRORS.get(min(int(lines["nodal diameter"][k]), 3), LINEAR_ONLY))

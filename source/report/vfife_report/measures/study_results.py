@@ -1,5 +1,7 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """Main results of a folder of runs: ranges over the variants with errors, and the comparisons farthest from agreement."""
+import re
+
 import numpy as np
 
 from ..data.table import read_table
@@ -13,11 +15,9 @@ NO_ERROR_BARS = "no error estimate: name numerical parameters"
 
 def list_ranges(study):
     """Rows with RANGES_HEADER."""
-    if study.error_bars:
-        found = [bars_range(one) for one in study.error_bars.quantities if len(one.variants) > 1 and not one.is_constant()]
-    else:
-        found = list(list_asked_ranges(study)) or list(list_plain_ranges(study))
-    return found[:MOST_RESULTS]
+    bars = study.error_bars.quantities if study.error_bars else []
+    found = [bars_range(one) for one in bars if len(one.variants) > 1 and not one.is_constant()]
+    return (found or list(list_asked_ranges(study)) or list(list_plain_ranges(study)))[:MOST_RESULTS]
 
 
 def make_range(name, unit, names, values, accuracy):
@@ -33,7 +33,8 @@ def bars_range(one):
     if len(known) < len(one.errors) and len(known):
         accuracy += f" ({len(one.errors) - len(known)} unknown)"
     if words:
-        accuracy += f"; {words.count('told apart')} of {len(words)} differences significant"
+        accuracy += (f"; {words.count('told apart')} of {len(words)} differences significant, {words.count('order told')} only by "
+                     "their sign")
     return make_range(one.name, one.unit, one.variants, one.values, accuracy)
 
 
@@ -58,7 +59,8 @@ def list_plain_ranges(study):
     found = {}
     for variant in study.variants:
         for name, value, unit, accuracy in list_main_results(variant.run):
-            found.setdefault((name, unit), []).append((variant.name, value, accuracy))
+            # The speed of a largest value may differ.
+            found.setdefault((re.sub(r", at \S+ rpm$", "", name), unit), []).append((variant.name, value, accuracy))
     for (name, unit), rows in found.items():
         if len(rows) > 1:
             reasons = {accuracy for _, _, accuracy in rows}

@@ -1,6 +1,6 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """Plot of a loaded tooth contact analysis over one mesh cycle."""
-from ..data.table import Table
+from ..data.table import Table, write_persons
 from .style import add_legend, plt
 
 POSITION = "position [mesh cycles]"
@@ -8,7 +8,7 @@ POSITION = "position [mesh cycles]"
 
 def plot_columns(axes, table, names, label, scale=1.0):
     for name in names:
-        axes.plot(table["position"], scale * table[name], ".-", label=name)
+        axes.plot(table["position"], scale * table[name], ".-", label=write_persons(name))
     axes.set(xlabel=POSITION, ylabel=label)
     add_legend(axes)
 
