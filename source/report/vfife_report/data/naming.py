@@ -5,8 +5,8 @@ from .unused import list_unused_entries
 GEAR = "Gear pair/Gear/"
 PINION = "Gear pair/Pinion/"
 NOT_OF_THE_CASE = ("Study/", "Output/")
-# How long is computed changes no physics.
 LONGEST_NAME = 60  # letters of a variant, above which its folder names it
+# How long is computed changes no physics.
 LENGTHS = ("Operation/mesh cycles", "Dynamics/end time", "Dynamics/maximum number of steps")
 
 

@@ -174,13 +174,18 @@ def list_mesh_results(run):
     yield "least scaled Jacobian", float(meshes["least scaled jacobian"].min()), "-", "exact"
 
 
-def list_model_results(run):
-    """Of a model: the result of an adaptive refinement, largest values of the whole model, values of the probes."""
+def list_refined(run):
+    """The named result of an adaptive refinement, with its last change; nothing without refinement."""
     refined = read_table(run.path / "adaptive_refinement.csv")
     if refined is not None and refined.n_rows > 1:
         name, _, unit = str(refined["result"][-1]).partition(" [")
         yield (name, float(refined["value"][-1]), unit.rstrip("]"),
                f"changes by {abs(refined['change'][-1]):.2g} % in the last refinement")
+
+
+def list_model_results(run):
+    """Of a model: the result of an adaptive refinement, largest values of the whole model, values of the probes."""
+    yield from list_refined(run)
     stated = run.summary.get("figures", {})
     for name in ("largest displacement", "largest von mises", "strain energy"):
         if name in stated:

@@ -6,19 +6,11 @@ from ..data.columns import CONTACT_FORCE, TRANSMISSION_ERROR
 from .accuracy import AT_CORNERS, GRID_ERROR, INSIDE, MEAN_ERROR, RIPPLE_ERROR, ROOT_ERROR, find_degree
 from .kind_results import (list_contact_results, list_frequencies, list_lumped_results, list_mesh_results, list_model_results,
                            list_order_results, list_speed_results, list_wave_results)
+from .kinds import find_kind
 from .pressures import find_largest_pressure
 
 MOST_RESULTS = 5
 REFERENCE_ERROR = "mean transmission error at rest, quadratic elements"
-
-
-def is_loaded_analysis(run):
-    return "transmission error mean" in run.stated
-
-
-def is_pair_run(run):
-    """A run or reduced pair at one speed."""
-    return run.statistics(TRANSMISSION_ERROR) is not None and run.value("mesh frequency") is not None
 
 
 def describe_ripple(run, quantity):
@@ -63,21 +55,12 @@ def list_loaded_results(run):
     yield "root tension, largest of pinion and gear", *find("pinion root tension", "gear root tension"), ROOT_ERROR[degree]
 
 
-# Which folders have main results of which kind: the first that fits.
-RESULTS_OF = (
-    (is_pair_run, list_run_results),
-    (is_loaded_analysis, list_loaded_results),
-    (lambda run: run.has_file("tca.json"), list_contact_results),
-    (lambda run: run.has_file("waves_lines.csv"), list_wave_results),
-    (lambda run: run.has_file("modes.csv"), list_frequencies),
-    (lambda run: run.has_file("lumped.json"), list_lumped_results),
-    (lambda run: run.has_file("resonance.csv") and run.has_file("wave_response.csv"), list_speed_results),
-    (lambda run: run.orders is not None, list_order_results),
-    (lambda run: run.meshes is not None, list_mesh_results),
-    (lambda run: True, list_model_results))
+RESULTS_OF = {"pair run": list_run_results, "loaded analysis": list_loaded_results, "contact analysis": list_contact_results,
+              "waves": list_wave_results, "modes": list_frequencies, "lumped model": list_lumped_results, "speeds": list_speed_results,
+              "orders": list_order_results, "mesh": list_mesh_results, "model": list_model_results}
 
 
 def list_main_results(run):
     """Name, value, unit and accuracy."""
-    found = next(list_results for fits, list_results in RESULTS_OF if fits(run))(run)
+    found = RESULTS_OF[find_kind(run)](run)
     return [list(one) for one in islice((one for one in found if one[1] is not None and one[1] == one[1]), MOST_RESULTS)]

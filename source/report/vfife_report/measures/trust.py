@@ -3,27 +3,37 @@
 reason."""
 from ..data.naming import describe_pair
 from ..data.table import read_table
-from .accuracy import (DAMPING_PAGE, FREQUENCY_ERROR, GRID_ERROR, LIMITS_PAGE, MEAN_ERROR, MESH_PAGE, ONE_MESH, PAIR_PAGE, RIPPLE_ERROR,
-                       ROOT_ERROR, VARIANTS_PAGE, find_degree)
-from .main_results import describe_mean, is_loaded_analysis, is_pair_run
+from .accuracy import (DAMPING_PAGE, EDGE_ERROR, FREQUENCY_ERROR, GRID_ERROR, LAG_ERROR, LIMITS_PAGE, MEAN_ERROR, MESH_PAGE, ONE_MESH,
+                       PAIR_PAGE, RIPPLE_ERROR, ROOT_ERROR, VARIANTS_PAGE, find_degree)
+from .kind_results import list_refined
+from .kinds import find_kind
+from .main_results import describe_mean
 from .study_results import list_asked_ranges
 
 TRUST_HEADER = ["result", "steady in time", "converged with the mesh", "page"]
 YES, NO, NOT_JUDGED = "yes", "no", "not judged"
 RIPPLE = {True: YES, False: NO, None: NOT_JUDGED}
+DAMPING = "depend on the given damping"
 CORNERS = ["stress at sharp corners and edges", "", "no: unbounded", LIMITS_PAGE]
 
 
-def trust_pair(run):
-    if is_pair_run(run):
-        degree, ripple = 1, RIPPLE[run.is_ripple_steady()]
-        yield ["mean transmission error, mean forces", YES if run.is_steady() else NO, describe_mean(run), PAIR_PAGE]
-        yield ["ripple of transmission error and forces", ripple, ONE_MESH, MESH_PAGE]
-        yield ["resonance peaks", ripple, "depend on the given damping", DAMPING_PAGE]
-    else:
-        degree = find_degree(run)
-        yield ["mean transmission error, load sharing", "", MEAN_ERROR[degree], PAIR_PAGE]
-        yield ["peak to peak of the transmission error", "", RIPPLE_ERROR[degree], PAIR_PAGE]
+def trust_run(run):
+    ripple = RIPPLE[run.is_ripple_steady()]
+    yield ["mean transmission error, mean forces", YES if run.is_steady() else NO, describe_mean(run), PAIR_PAGE]
+    yield ["ripple of transmission error and forces", ripple, ONE_MESH, MESH_PAGE]
+    yield ["resonance peaks", ripple, DAMPING, DAMPING_PAGE]
+    yield from trust_stresses(run, 1)
+
+
+def trust_loaded(run):
+    degree = find_degree(run)
+    yield ["mean transmission error, load sharing", "", MEAN_ERROR[degree], PAIR_PAGE]
+    yield ["peak to peak of the transmission error", "", RIPPLE_ERROR[degree], PAIR_PAGE]
+    yield from trust_stresses(run, degree)
+
+
+def trust_stresses(run, degree):
+    """Pressures and stresses of a pair with elements of a degree."""
     yield ["contact pressure (Hertz)", "", "inside the flanks it follows from force and curvatures; at edges it is not valid",
            "doc/how-to/contact-pressure.md"]
     if run.has_file("pressure.csv"):
@@ -33,8 +43,8 @@ def trust_pair(run):
 
 
 def trust_unloaded(run):
-    yield ["unloaded contact inside the flanks", "", "without mesh; within 0.01 arcsec for the reference pair", "doc/verification/geometry.md"]
-    yield ["edge contact", "", "without mesh; within 0.02 arcsec in the verification", "doc/verification/geometry.md"]
+    yield ["unloaded contact inside the flanks", "", LAG_ERROR, "doc/verification/geometry.md"]
+    yield ["edge contact", "", EDGE_ERROR, "doc/verification/geometry.md"]
     yield ["contact under load", "", "not computed by this kind", "doc/getting-started/choose-an-analysis.md"]
 
 
@@ -43,7 +53,7 @@ def trust_waves(run):
     computed = lines is not None and (lines["peak speed"] == lines["peak speed"]).any()
     settled = f"{run.parameters.get('Waves/settling decay times', 'given')} decay times to settle" if computed else ""
     yield ["resonance speeds", settled, ONE_MESH, MESH_PAGE]
-    yield ["widths and amplitudes", settled, "depend on the given damping", DAMPING_PAGE]
+    yield ["widths and amplitudes", settled, DAMPING, DAMPING_PAGE]
     yield ["waves of two nodal diameters", "", "linear theory is not accurate", "doc/verification/waves.md"]
     if computed:
         yield ["stress amplification", "", "upper bound for the given damping, torque and probes", "doc/reference/kinds.md"]
@@ -73,7 +83,7 @@ def trust_speeds(run):
 
 def trust_orders(run):
     yield ["amplitudes of mesh orders", "no steady part; they depend on the rate of the speed change", ONE_MESH, MESH_PAGE]
-    yield ["resonance peaks", "", "depend on the given damping", DAMPING_PAGE]
+    yield ["resonance peaks", "", DAMPING, DAMPING_PAGE]
 
 
 def trust_mesh(run):
@@ -84,28 +94,19 @@ def trust_model(run):
     if not run.summary:
         return
     steady = {"run": NOT_JUDGED, "static": "equilibrium to the given tolerance"}.get(run.summary.get("study"), "")
-    refined = read_table(run.path / "adaptive_refinement.csv")
-    if refined is not None and refined.n_rows > 1:
-        yield [str(refined["result"][-1]).partition(" [")[0], "", f"changes by {abs(refined['change'][-1]):.2g} % in the last refinement",
-               "doc/reference/kinds.md"]
+    for name, _, _, change in list_refined(run):
+        yield [name, "", change, "doc/reference/kinds.md"]
     yield ["displacements, forces and stresses", steady, ONE_MESH, VARIANTS_PAGE]
     yield CORNERS
 
 
-TRUST_OF = (
-    (lambda run: is_pair_run(run) or is_loaded_analysis(run), trust_pair),
-    (lambda run: run.has_file("tca.json"), trust_unloaded),
-    (lambda run: run.has_file("waves_lines.csv"), trust_waves),
-    (lambda run: run.has_file("modes.csv"), trust_modes),
-    (lambda run: run.has_file("lumped.json"), trust_lumped),
-    (lambda run: run.has_file("resonance.csv") and run.has_file("wave_response.csv"), trust_speeds),
-    (lambda run: run.orders is not None, trust_orders),
-    (lambda run: run.meshes is not None, trust_mesh),
-    (lambda run: True, trust_model))
+TRUST_OF = {"pair run": trust_run, "loaded analysis": trust_loaded, "contact analysis": trust_unloaded, "waves": trust_waves,
+            "modes": trust_modes, "lumped model": trust_lumped, "speeds": trust_speeds, "orders": trust_orders, "mesh": trust_mesh,
+            "model": trust_model}
 
 
 def list_trust(run):
-    return list(next(list_rows for fits, list_rows in TRUST_OF if fits(run))(run))
+    return list(TRUST_OF[find_kind(run)](run))
 
 
 def list_study_trust(study):
