@@ -128,6 +128,44 @@ namespace
       }
   }
 
+  /** Bounds of two passes at the bodies' start are the mean of both single passes' there, and not
+   * those of any direction. */
+  void check_places()
+  {
+    // The long sides of the facets lie along each other; across, the nodes would have more.
+    const FacetSurface slave  = plane(3, 3, 0., 5.1, 0., 7.5, 0., true),
+                       master = plane(12, 4, 0., 12., 0., 12., 0.);
+    const auto options        = make_options(ContactDiscretization::surface_points);
+    Contact    one(slave, master, options), other(master, slave, options),
+      both(slave, master, make_options(ContactDiscretization::two_pass));
+    RigidMotion motion;
+    motion.rotation     = rotation_about(Vector3::UnitZ(), 0.1);
+    motion.translation  = Vector3(3., 3., 0.);
+    const auto anywhere = both.master_carried_areas();
+    one.place(motion, {});
+    other.place({}, motion);
+    both.place(motion, {});
+    const auto compare = [](const std::string         &name,
+                            const std::vector<double> &mean,
+                            const std::vector<double> &one,
+                            const std::vector<double> &other) {
+      double worst = 0.;
+      for (std::size_t i = 0; i < mean.size(); ++i)
+        worst = largest_of(worst, std::abs(mean[i] - (one[i] + other[i]) / 2.));
+      check_below("two passes at their start: " + name, worst, 1e-13);
+    };
+    compare("slave's nodes",
+            both.slave_carried_areas(),
+            one.slave_carried_areas(),
+            other.master_carried_areas());
+    compare("master's nodes",
+            both.master_carried_areas(),
+            one.master_carried_areas(),
+            other.slave_carried_areas());
+    check("two passes at their start: the direction counts",
+          both.master_carried_areas() != anywhere);
+  }
+
   /** Largest square of the frequency of free nodes on the springs alone. */
   double largest_square(const std::vector<ContactSpring> &springs,
                         const std::vector<double>        &slave_masses,
@@ -192,5 +230,6 @@ int main()
 {
   bounds();
   frequencies();
+  check_places();
   return 0;
 }

@@ -323,7 +323,12 @@ namespace
     surface.positions = {
       {0, 0, 0}, {2, 0, 0}, {2, 3, 0}, {0, 3, 0}, {4, 0, 0}, {4, 5, 0}, {2, 0, 4}, {0, 0, 4}};
     for (unsigned int n = 0; n < surface.positions.size(); ++n)
-      surface.nodes.push_back(n);
+      {
+        surface.nodes.push_back(n);
+        surface.normals.push_back(n < 2   ? Vector3(0., std::sqrt(.5), std::sqrt(.5))
+                                  : n < 6 ? Vector3(0., 0., 1.)
+                                          : Vector3(0., 1., 0.));
+      }
     surface.facets = {{{0, 1, 2, 3}}, {{1, 4, 5, 2}}, {{0, 7, 6, 1}}};
     surface.group  = {0, 0, 0};
     find_neighbours(surface);

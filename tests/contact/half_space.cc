@@ -280,6 +280,53 @@ namespace
                 worst,
                 1e-6);
   }
+  /** A flexibility whose eigenvalues span seven decades: gradients stall, sets of loaded cells are
+   * solved directly. The answer is the only one with closed loaded cells and no penetration. */
+  void check_ill_conditioned()
+  {
+    const Eigen::Index n      = 800;
+    double             seed   = .5;
+    const auto         number = [&seed] {
+      seed = std::fmod(997. * seed + .1234567, 1.);
+      return seed - .5;
+    };
+    const Eigen::VectorXd v = Eigen::VectorXd::NullaryExpr(n, number).normalized();
+    const Eigen::MatrixXd Q = Eigen::MatrixXd::Identity(n, n) - 2. * v * v.transpose();
+    Eigen::VectorXd       values(n);
+    for (Eigen::Index i = 0; i < n; ++i)
+      values[i] = std::pow(10., -7. * i / (n - 1.));
+    const Eigen::MatrixXd flexibility = Q * values.asDiagonal() * Q.transpose();
+    // Gaps that a load on 100 cells closes, half of them with little force; elsewhere they are
+    // open, some by little.
+    Eigen::VectorXd wanted = Eigen::VectorXd::Zero(n), gaps = Eigen::VectorXd::Zero(n);
+    for (Eigen::Index i = 0; i < 100; ++i)
+      wanted[8 * i] = i % 2 == 0 ? 1.5 + number() : 1e-4 * (1. + number());
+    gaps = 2. * Eigen::VectorXd::Ones(n) - flexibility * wanted;
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (wanted[i] == 0.)
+        gaps[i] += i % 8 == 1 ? 1e-6 : .6 + number();
+
+    unsigned int     n_products = 0;
+    const CellForces found      = find_cell_forces(
+      [&](const Eigen::VectorXd &f) -> Eigen::VectorXd {
+        ++n_products;
+        return flexibility * f;
+      },
+      gaps,
+      Eigen::VectorXd::Ones(n),
+      wanted.sum());
+    check("ill-conditioned cells: by sets", n_products > 600 + n && found.iterations > 0);
+    check_close("ill-conditioned cells: closing", found.closing, 2., 1e-8);
+    check_close("ill-conditioned cells: load", found.forces.sum() / wanted.sum(), 1., 1e-8);
+    // A penetration within 1e-8 of the deflections is none: cells with a gap of 1e-6 may be loaded
+    // that much, which the flexible directions amplify.
+    check_below("ill-conditioned cells: forces", (found.forces - wanted).lpNorm<1>() / n, 1e-6);
+    double penetration = 0.;
+    for (Eigen::Index i = 0; i < n; ++i)
+      penetration =
+        largest_of(penetration, wanted[i] > 0. ? std::abs(found.gaps[i]) : -found.gaps[i]);
+    check_below("ill-conditioned cells: penetration", penetration, 1e-8);
+  }
 } // namespace
 
 int main()
@@ -291,5 +338,6 @@ int main()
   check_line();
   check_arms();
   check_return();
+  check_ill_conditioned();
   return 0;
 }

@@ -252,6 +252,62 @@ namespace
     check("none are near", none.first.empty() && none.second.empty());
   }
 
+  /** Two passes find what one pass finds with either surface as the slave. */
+  void check_two_passes()
+  {
+    // The smaller radius is in turn that of the slave and of the master; neither has a point at the
+    // pole.
+    for (const bool swapped : {false, true})
+      {
+        MovingSurface small(sphere_patch_down(30., 0.2, 8)), large(sphere_patch(50., 0.12, 20));
+        RigidMotion   motion;
+        motion.translation = Vector3(0.31, -0.23, 80.01);
+        (swapped ? large : small).place(motion);
+        if (swapped)
+          {
+            // The small sphere stays and the large one comes from below.
+            RigidMotion below;
+            below.translation = -motion.translation;
+            small.place({});
+            large.place(below);
+          }
+        MovingSurface &slave = swapped ? large : small, &master = swapped ? small : large;
+        ContactOptions options          = with_penalty(1e6);
+        options.points_per_facet.number = 2;
+        Contact one(slave.surface, master.surface, options),
+          other(master.surface, slave.surface, options);
+        options.discretization = ContactDiscretization::two_pass;
+        Contact both(slave.surface, master.surface, options);
+        one.find_candidates(slave.body, master.body, 1.);
+        other.find_candidates(master.body, slave.body, 1.);
+        both.find_candidates(slave.body, master.body, 1.);
+
+        const ContactPoint of_one   = one.smallest_gap(slave.motion(), master.motion(), 0.3),
+                           of_other = other.smallest_gap(master.motion(), slave.motion(), 0.3),
+                           of_both  = both.smallest_gap(slave.motion(), master.motion(), 0.3);
+        const std::string name      = swapped ? "two passes, swapped: " : "two passes: ";
+        check(name + "the passes differ", of_one.gap != of_other.gap);
+        check(name + "smallest gap", of_both.gap == std::min(of_one.gap, of_other.gap));
+        check(name + "pass of the smallest gap", of_both.swapped == (of_other.gap < of_one.gap));
+
+        const auto join = [](std::vector<unsigned int> a, const std::vector<unsigned int> &b) {
+          a.insert(a.end(), b.begin(), b.end());
+          std::sort(a.begin(), a.end());
+          a.erase(std::unique(a.begin(), a.end()), a.end());
+          return a;
+        };
+        const auto near_one   = one.find_near_nodes(slave.motion(), master.motion(), 0.1),
+                   near_other = other.find_near_nodes(master.motion(), slave.motion(), 0.1),
+                   near_both  = both.find_near_nodes(slave.motion(), master.motion(), 0.1);
+        check(name + "near nodes of the slave",
+              !near_both.first.empty() &&
+                near_both.first == join(near_one.first, near_other.second));
+        check(name + "near nodes of the master",
+              !near_both.second.empty() &&
+                near_both.second == join(near_one.second, near_other.first));
+      }
+  }
+
   /** Straight towards each other from 0.05 mm on, less than the skin of the wide search: a point
    * that sleeps is awake when its gap closes. */
   void check_approach()
@@ -290,5 +346,6 @@ int main()
   check_broad_search();
   check_smallest_gap();
   check_near_nodes();
+  check_two_passes();
   return 0;
 }

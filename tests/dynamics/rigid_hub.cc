@@ -3,7 +3,7 @@
 // with free rotation it does not; the angular momentum follows the torque either way. So it does
 // for a solid shaft, whose face has nodes on the axis.
 #include "../tests.h"
-#include "one_solver.h"
+#include "relaxed.h"
 
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/mesh/body_mesh.h>
@@ -125,6 +125,52 @@ namespace
     return most - least;
   }
 
+  /** A tube whose nodes all turn freely on their circles, under opposite torques at its ends: the
+   * twist of its equilibrium [rad]. */
+  double twist(const unsigned int n)
+  {
+    constexpr double length = 50;
+    Model            model;
+    model.add_body(Body("tube", make_ring(20, 22, length, {{1, n, 10}}), Material()));
+    const Body               &body = model.bodies[0];
+    std::vector<unsigned int> all(body.n_nodes());
+    std::iota(all.begin(), all.end(), 0u);
+    model.constraints.push_back({"circles", ConstraintKind::free_rotation, 0, all});
+    for (const auto &[end, sign] : {std::pair("top", 1.), std::pair("bottom", -1.)})
+      {
+        Torque load;
+        load.name  = end;
+        load.nodes = body.node_set(end);
+        load.areas = compute_nodal_areas(body, load.nodes);
+        load.value = sign * torque;
+        model.torques.push_back(load);
+      }
+    OneSolver run(model, undamped());
+    relax(model, run);
+    const auto angle = [&](const std::string &end) {
+      double sum = 0;
+      for (const unsigned int node : body.node_set(end))
+        {
+          const Vector3 X = body.node_positions()[node],
+                        x = run.state.node_position(run.state.partition->local_node[node]);
+          sum += std::atan2(X[0] * x[1] - X[1] * x[0], X[0] * x[0] + X[1] * x[1]);
+        }
+      return sum / body.node_set(end).size();
+    };
+    return angle("top") - angle("bottom");
+  }
+
+  /** The twist tends to T L/(G J), its error with the square of the chords. */
+  void relax_twist()
+  {
+    const Material material;
+    const double   G = material.youngs_modulus / (2 * (1 + material.poissons_ratio)),
+                 J = pi / 2 * (std::pow(22., 4) - std::pow(20., 4)), exact = torque * 50 / (G * J),
+                 coarse = twist(24) / exact - 1, fine = twist(48) / exact - 1;
+    check_close("twist in equilibrium, 48 chords", fine, 0., 0.008);
+    check_close("twist in equilibrium, order", std::log2(coarse / fine), 2., 0.1);
+  }
+
   /** A turning tube, all of whose nodes turn freely on their circles, in its first torsional mode:
    * the damper takes the energy of the mode with exp(-zeta t) and leaves the spin. */
   void damp_torsion()
@@ -206,5 +252,6 @@ int main(int argc, char **argv)
               2e-15);
   check("free face of a shaft is sheared", turn_apart(shaft(ConstraintKind::free_rotation)) > 0);
   damp_torsion();
+  relax_twist();
   return 0;
 }

@@ -104,6 +104,72 @@ namespace
     fall(ContactTime::implicit);
   }
 
+  /** Force histories of all contacts until the middle of the impact [N], at the step @p dt [s]. */
+  std::vector<std::vector<double>> forces_of(const Model &model, const double dt)
+  {
+    DynamicsOptions options = undamped();
+    options.step_bound      = StepBound::element;
+    OneSolver run(model, options);
+    run.solver.set_step(dt);
+    run.solver.start(run.state);
+    std::vector<std::vector<double>> forces(model.contacts.size());
+    auto                             observers = watch(1, [&](const State &state) {
+      for (std::size_t i = 0; i < forces.size(); ++i)
+        forces[i].push_back(state.measured.contact_forces[i].norm());
+    });
+    run.solver.run(run.state, 1.5e-5, observers);
+    return forces;
+  }
+
+  /** Two spheres on two planes, one contact explicit, one implicit: each force is that of the
+   * sphere alone. */
+  void fall_both_ways()
+  {
+    const Model one = make_model(ContactTime::explicit_), other = make_model(ContactTime::implicit);
+    Model       both = make_model(ContactTime::explicit_);
+    for (unsigned int b = 0; b < 2; ++b)
+      {
+        const Body &body = other.bodies[b];
+        auto        mesh = b == 0 ? make_sphere(radius, {{12, 5}})
+                                  : make_block(Vector3(8, 8, 1), {{6, 6, 1}}, Vector3(-4, -4, -1));
+        Body        second(body.name() + " 2", std::move(mesh), Material());
+        second.placement = body.placement;
+        second.placement.translation[0] += 50;
+        second.velocity = body.velocity;
+        both.add_body(std::move(second));
+      }
+    both.constraints.push_back(other.constraints[0]);
+    both.constraints.back().name = "second plane";
+    both.constraints.back().body = 3;
+    both.contacts.push_back(other.contacts[0]);
+    both.contacts.back().side        = "second impact";
+    both.contacts.back().slave_body  = 2;
+    both.contacts.back().master_body = 3;
+
+    DynamicsOptions options = undamped();
+    options.step_bound      = StepBound::element;
+    const double dt         = 0.9 * OneSolver(both, options).solver.stable_step();
+    const auto   mixed      = forces_of(both, dt);
+    const auto   single     = {forces_of(one, dt)[0], forces_of(other, dt)[0]};
+    unsigned int i          = 0;
+    for (const std::vector<double> &expected : single)
+      {
+        const std::string name  = i == 0 ? "explicit" : "implicit";
+        double            worst = 0, most = 0;
+        check("two spheres, steps", expected.size() == mixed[i].size());
+        for (std::size_t k = 0; k < std::min(expected.size(), mixed[i].size()); ++k)
+          {
+            worst = largest_of(worst, std::abs(expected[k] - mixed[i][k]));
+            most  = largest_of(most, expected[k]);
+          }
+        check("two spheres, " + name + ": touches", most > 100);
+        // Places are 50 mm farther from the origin, round-off of 1e-14 mm times the penalty.
+        check_below("two spheres, " + name + ": force", worst / most, 1e-8);
+        ++i;
+      }
+    check("two spheres: the ways differ", mixed[0] != mixed[1]);
+  }
+
   /**
    * The quarter x, y > 0 of the sphere with cells crowded at its lower pole: moved by the map of
    * the ball onto itself that keeps angles and shrinks by (1 - c)/(1 + c) there, as much as it
@@ -227,6 +293,6 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {fall_explicitly, fall_implicitly, crowded_spheres});
+  run_parts(argc, argv, {fall_explicitly, fall_implicitly, fall_both_ways, crowded_spheres});
   return 0;
 }

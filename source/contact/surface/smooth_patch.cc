@@ -89,30 +89,11 @@ namespace vfife
         }
       return distance;
     }
-
-    std::vector<Vector3> mean_facet_normals(const FacetSurface &surface)
-    {
-      // Cross products of diagonals are twice the vector areas: larger facets count more.
-      std::vector<Vector3> normals(surface.positions.size(), Vector3::Zero());
-      for (const auto &k : surface.facets)
-        {
-          const Vector3 area = (surface.positions[k[2]] - surface.positions[k[0]])
-                                 .cross(surface.positions[k[3]] - surface.positions[k[1]]);
-          for (const unsigned int node : k)
-            normals[node] += area;
-        }
-      for (Vector3 &n : normals)
-        if (n.squaredNorm() > 0.)
-          n.normalize();
-      return normals;
-    }
   } // namespace
 
 
   FacetSurface with_smooth_patches(FacetSurface surface)
   {
-    if (surface.normals.empty())
-      surface.normals = mean_facet_normals(surface);
     const std::vector<double> points = gauss_lobatto_points(points_per_direction);
     surface.offset_points            = points_per_direction;
     surface.offset_row.resize(surface.facets.size());

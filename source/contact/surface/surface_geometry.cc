@@ -13,8 +13,9 @@ namespace vfife
   SurfaceGeometry::SurfaceGeometry(const FacetSurface      &surface,
                                    const ContactSurfaceKind kind,
                                    EdgeRelief               relief)
-    : SurfaceGeometry(kind == ContactSurfaceKind::smooth_patches ? with_smooth_patches(surface)
-                                                                 : surface,
+    : SurfaceGeometry(kind == ContactSurfaceKind::smooth_patches
+                        ? with_smooth_patches(checked(surface))
+                        : checked(surface),
                       kind != ContactSurfaceKind::flat_facets,
                       std::move(relief))
   {
@@ -28,7 +29,6 @@ namespace vfife
     , facets_(surface.facets)
     , relief_(std::move(relief))
   {
-    check_arrays(surface);
     collect_groups(surface);
     connect(surface);
     compute_areas();
@@ -57,26 +57,27 @@ namespace vfife
   }
 
 
-  void SurfaceGeometry::check_arrays(const FacetSurface &surface) const
+  const FacetSurface &SurfaceGeometry::checked(const FacetSurface &surface)
   {
     const std::string name = "surface \"" + surface.name + "\": ";
-    if (facets_.empty())
+    if (surface.facets.empty())
       throw InputError(name + "expected facets, got none");
-    if (surface.neighbours.size() != facets_.size())
+    if (surface.neighbours.size() != surface.facets.size())
       throw InputError(name + "the facets' neighbours are missing (find_neighbours)");
-    if (!surface.group.empty() && surface.group.size() != facets_.size())
+    if (!surface.group.empty() && surface.group.size() != surface.facets.size())
       throw InputError(name + "every facet needs a group, or none");
-    if (!surface.normals.empty() && surface.normals.size() != reference_.size())
-      throw InputError(name + "every node needs a normal, or none");
-    if (surface.offset_points > 0 && surface.offset_row.size() != facets_.size())
+    if (surface.normals.size() != surface.positions.size())
+      throw InputError(name + "expected one normal per node");
+    if (surface.offset_points > 0 && surface.offset_row.size() != surface.facets.size())
       throw InputError(name + "every facet needs a row of offsets");
-    for (const auto &facet : facets_)
+    for (const auto &facet : surface.facets)
       for (const unsigned int n : facet)
-        if (n >= reference_.size())
+        if (n >= surface.positions.size())
           throw InputError(name + "a facet refers to a node that does not exist");
     for (const unsigned int g : surface.group)
       if (g >= surface.n_groups)
         throw InputError(name + "a facet refers to a group that does not exist");
+    return surface;
   }
 
 
@@ -196,8 +197,6 @@ namespace vfife
 
   void SurfaceGeometry::compute_true_normals(const FacetSurface &surface)
   {
-    if (surface.normals.empty())
-      return;
     for (unsigned int n = 0; n < n_nodes(); ++n)
       {
         // How much the true normal N differs from that of the facets around, N_f.

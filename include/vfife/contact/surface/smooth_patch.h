@@ -13,9 +13,7 @@ namespace vfife
    * patched surface has no gaps; across edges its slope is continuous at the nodes and nearly so
    * between.
    *
-   * The nodal normals are FacetSurface::normals where there are any, else the mean of the facets
-   * around a node weighted with their areas (one-sided at the surface's border). Existing offsets
-   * are replaced.
+   * The nodal normals are FacetSurface::normals, one per node. Existing offsets are replaced.
    */
   FacetSurface with_smooth_patches(FacetSurface surface);
 

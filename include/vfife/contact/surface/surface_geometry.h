@@ -201,7 +201,9 @@ namespace vfife
     /** @p curved: the facets stand for the surface given by offsets and normals. */
     SurfaceGeometry(const FacetSurface &surface, bool curved, EdgeRelief relief);
 
-    void           check_arrays(const FacetSurface &surface) const;
+    /** The surface. Throws InputError where its arrays do not fit each other. */
+    static const FacetSurface &checked(const FacetSurface &surface);
+
     void           collect_groups(const FacetSurface &surface);
     void           connect(const FacetSurface &surface);
     void           compute_areas();
