@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/process/blas_kernels.h>
 #include <vfife/base/process/command_line.h>
 
 #include <cstring>
@@ -35,6 +36,7 @@ int main(int argc, char **argv)
   std::error_code             error;
   const std::filesystem::path self  = std::filesystem::read_symlink("/proc/self/exe", error);
   const std::string           study = (self.parent_path() / "vfife-study").string();
+  vfife::prefer_blas_kernels();
   execv(study.c_str(), argv);
   std::cerr << "vfife: the program " << study << " cannot be started: " << std::strerror(errno)
             << std::endl;
