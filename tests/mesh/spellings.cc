@@ -326,6 +326,22 @@ namespace
              vtk(head, old_cells, "CELL_DATA 7\nSCALARS " + name + " long\n" + id),
              wanted);
       }
+    // Names with blanks are written with their codes; further arrays are passed over.
+    const std::string pairs = replaced(std::string(7, 'a'), "a", "0.25 0.75\n");
+    same("vtk: ids with a blank, behind other arrays",
+         "vtk",
+         vtk(head,
+             old_cells,
+             "CELL_DATA 7\nTEXTURE_COORDINATES map 2 float\n" + pairs + "COLOR_SCALARS shade 2\n" +
+               pairs + "LOOKUP_TABLE shades 2\n0 0 0 1\n1 1 1 1\nSCALARS mat%20id int 1\n" + id),
+         wanted);
+    same("vtk: a description between the arrays of a field",
+         "vtk",
+         vtk(head,
+             old_cells,
+             "CELL_DATA 7\nFIELD FieldData 2\nother 1 7 double\n" + id +
+               "METADATA\nINFORMATION 0\n\nmat_id 1 7 int\n" + id),
+         wanted);
     std::string voxels = "CELLS 7 59\n";
     for (unsigned int e = 0; e < 6; ++e)
       {

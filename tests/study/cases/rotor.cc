@@ -36,6 +36,21 @@ namespace
                 body.mass() / (volume * Material().density),
                 1.,
                 1e-12);
+
+    // A shaft that is hollow all along has no disc: the bore is a surface, and there is no axis.
+    options.text = "0 10 12 4, 10 30 20 8, 30 45 16 4";
+    const Body   tube("tube", make_stepped_shaft(options), Material());
+    const double hollow =
+      pi / 4 * ((12. * 12 - 4 * 4) * 10 + (20. * 20 - 8 * 8) * 20 + (16. * 16 - 4 * 4) * 15);
+    check_close("hollow shaft: mass over that of the cylinders",
+                tube.mass() / (hollow * Material().density),
+                1.,
+                1e-12);
+    check("hollow shaft: sets", tube.has_node_set("bore") && !tube.has_node_set("axis"));
+    double farthest = 0;
+    for (const unsigned int node : tube.node_set("bore"))
+      farthest = largest_of(farthest, tube.node_positions()[node].head<2>().norm());
+    check("hollow shaft: bore", farthest >= 4. && farthest < 4.2);
   }
 
   /** A shaft of 500 mm between bearings, a force half-way and a torque at the end that is not
