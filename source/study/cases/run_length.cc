@@ -23,6 +23,12 @@ namespace vfife
   {
     /** To which vibrations have to fall: the ripple is judged to a tenth. */
     constexpr double fall = 10;
+
+    /** The time of the last sample in the results [s]. */
+    double end_of_record(const OutputFolder &folder)
+    {
+      return read_result_table(folder.file("history.csv")).numbers(column::time).back();
+    }
   } // namespace
 
   double find_end(const Transmission *pair, const double time, const double sample)
@@ -78,7 +84,7 @@ namespace vfife
     // What is beyond the checkpoint, if anything, belongs to the length in which it was written.
     double reached = 0;
     if (checkpoint)
-      reached = read_result_table(folder.file("history.csv")).numbers(column::time).back();
+      reached = end_of_record(folder);
     for (std::size_t i = 0; i < lengths.size(); ++i)
       {
         run_case.set_length(lengths[i]);
@@ -90,6 +96,9 @@ namespace vfife
             log.line("the ripple is steady within ", lengths[i], " mesh cycles");
             return;
           }
+        // A limit of the number of steps has ended the run, which has said so.
+        if (dynamics.largest_steps > 0 && end_of_record(folder) < run_case.end_time() * (1. - 1e-9))
+          return;
         if (last)
           {
             log.warning("the ripple is not steady after ",

@@ -16,6 +16,7 @@
 #include <vfife/reduced/reduced_options.h>
 #include <vfife/reduced/reduced_pair.h>
 #include <vfife/reduced/resonance/nearest_wave.h>
+#include <vfife/study/cases/damping_figures.h>
 #include <vfife/study/cases/gear_case.h>
 #include <vfife/study/cases/run_length.h>
 #include <vfife/study/cases/run_plan.h>
@@ -323,6 +324,8 @@ namespace vfife
       summary.contradictions = report_checks(model, log);
       summary.cause          = gear_case_.find_cause();
       say_nearest_wave(model, motion, pair, log, summary);
+      const NamedFigures damping = list_damping(dynamics_, &*model.transmission, log);
+      summary.figures.insert(summary.figures.end(), damping.begin(), damping.end());
       summary.figures.insert(summary.figures.end(), at_start.begin(), at_start.end());
 
       const auto prepared = [&]() {

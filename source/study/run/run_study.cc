@@ -265,7 +265,10 @@ namespace vfife
   void RunStudy::inspect(Communicator &communicator, Log &log)
   {
     // All that a run sets up, and none of its steps: mistakes of mesh, contact and step show here.
-    const auto  start = WallClock::now();
+    const auto start   = WallClock::now();
+    const auto lengths = case_->list_lengths(dynamics_);
+    if (!lengths.empty())
+      case_->set_length(lengths.front());
     const Model model = make_model(log);
     if (model.transmission)
       RootStress(model, fillets_);
@@ -284,8 +287,10 @@ namespace vfife
     const double n_steps  = case_->end_time() / stepped.dt;
     const double run_time = stepped.expect_run_time(state, n_steps);
     log.line("the run has ",
+             lengths.empty() ? "" : "at least ",
              std::llround(n_steps),
-             " steps and takes about ",
+             " steps and takes ",
+             lengths.empty() ? "about " : "at least ",
              duration_text(run_time),
              " with ",
              communicator.size(),

@@ -461,6 +461,10 @@ namespace
       static_cast<unsigned int>(std::lround((steady.at("time").size() - 1) / 98.));
     const Columns given = turn("given", std::to_string(meshes), false);
     turn("steady_parts", "until steady", false);
+    const std::string ended = read_text("steady_parts/run.log");
+    check("a limit of steps ends the run, which is not judged",
+          ended.find("steady after") == std::string::npos);
+    check("damping is stated", ended.find("damping 2e+04 1/s: ratio") != std::string::npos);
     const Columns parts = turn("steady_parts", "until steady", true);
     for (const Columns *other : {&given, &parts})
       {
