@@ -22,6 +22,7 @@ from vfife_report.measures.spectrum import compute_spectrum
 from vfife_report.pictures.canvas import Camera, Canvas
 from vfife_report.pictures.hexahedra import Section, find_axis, find_outer_faces
 from vfife_report.plots.bearings import draw_bearing_curves, draw_bearings, draw_misalignment
+from vfife_report.plots.campbell import draw_whirl
 from vfife_report.plots.driven_waves import draw_driven_waves, draw_growth, draw_waves_met
 from vfife_report.plots.histories import draw_contact_force, draw_energies, draw_transmission_error
 from vfife_report.plots.meridian import draw_meridians, read_parts
@@ -209,6 +210,21 @@ class Bearings(unittest.TestCase):
                 page = (Path(name) / "report.html").read_text()
                 for word in ("pinion front", "bearing_curves", "misalignment"):
                     self.assertIn(word, page)
+
+
+class Whirl(unittest.TestCase):
+    def test_axis_ends_above_the_lowest_vibrations(self):
+        """Whirls far above the rotation frequency of 100 Hz are inside the axes; those near it leave its double."""
+        for lowest, top in ((1500., 1.1 * 1530.), (120., 200.)):
+            rows = "".join(f"gear,{speed},{mode},{lowest},1,0,backward,{lowest + 10 * mode * (speed > 0)},{whirl}\n"
+                           for speed in (0, 6000) for mode, whirl in ((1, "backward"), (3, "forward")))
+            with tempfile.TemporaryDirectory() as name:
+                (Path(name) / "modes.csv").write_text(
+                    "body,speed [rpm],mode [-],frequency [Hz],nodal diameter [-],nodal circles [-],direction,"
+                    "fixed frequency [Hz],whirl\n" + rows)
+                plot = draw_whirl(RunFolder(Path(name)), "gear")
+                self.assertAlmostEqual(plot.axes[0].get_ylim()[1], top)
+                plt.close(plot)
 
 
 class DrivenWaves(unittest.TestCase):

@@ -56,7 +56,10 @@ def draw_whirl(run, body):
         axes.plot(modes["speed"][rows], modes["fixed frequency"][rows], marker, markersize=5, color=COLOURS[colour], label=label)
     end = np.abs(modes["speed"][mine]).max()
     axes.plot((0, end), (0, end / 60), color=GREY, linewidth=0.9, label="rotation")
-    axes.set(ylim=(0, 2 * end / 60), xlabel=f"speed of the {body} [rpm]", ylabel="frequency in the fixed frame [Hz]")
+    # Twice the rotation frequency, or the four lowest vibrations where they are above it.
+    vibrations = np.sort(modes["fixed frequency"][mine & (np.abs(modes["speed"]) == end) & (modes["fixed frequency"] > 1.)])
+    top = max([2 * end / 60, *(1.1 * vibrations[:4])])
+    axes.set(ylim=(0, top), xlabel=f"speed of the {body} [rpm]", ylabel="frequency in the fixed frame [Hz]")
     axes.set_title(f"{body}: frequencies of whirl in the fixed frame")
     axes.legend(loc="upper left", bbox_to_anchor=(1.02, 1.), frameon=False)
     return plot
