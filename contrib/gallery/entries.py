@@ -57,7 +57,7 @@ ENTRIES = (
     Entry("proposed_pair", "A pair from tooth numbers and module", "gear/proposed_17_43.prm", "tca.svg",
           (("contact ratio of the drive side", "drive side, contact ratio", 3),
            ("unloaded transmission error, peak to peak", "drive side, peak to peak", 3),
-           ("backlash of the gear", "teeth/play of the gear", 4)),
+           ("backlash of the gear", "teeth/backlash angle of the gear", 4)),
           "Local synthesis proposes blanks and machine settings. The parabola of each tooth pair shows its crowning. Contact passes to "
           "the next tooth pair where two parabolas intersect. [Gears](theory/gear.md)"),
     Entry("measured_flank", "Measured flanks", "errors/topography.prm", "tca.svg",

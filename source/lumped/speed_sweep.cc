@@ -56,7 +56,7 @@ namespace vfife
     table.add_column(column::peak_to_peak_force, "N");
     table.add_column(column::largest_force, "N");
     table.add_column("losses of contact", "-");
-    table.add_column(column::time_apart, "-");
+    table.add_column(column::time_without_contact, "-");
     table.add_column("time on coast flanks", "-");
     table.add_column(column::energy_error, "-");
     return table;

@@ -193,7 +193,7 @@ int main()
       const PathEnd &here = short_analysis.ends[end];
       const double   rot1 = short_contact.flanks().reference() +
                           (here.place + (end == 0 ? 1. : -1.)) * short_contact.flanks().pitch();
-      check_close("short pinion, " + here.border + ": approach before it carries [arcsec]",
+      check_close("short pinion, " + here.border + ": approach before edge contact [arcsec]",
                   here.approach / arcsecond,
                   (here.lag - LimitedFlanks(short_pair, MeshSide::drive).least_lag(rot1)) /
                     arcsecond,
@@ -205,11 +205,11 @@ int main()
   options.pinion_axial_shift = .1;
   const GearPair        shifted(options);
   const ContactAnalysis a = analyse_contact(shifted, MeshSide::drive, ContactAnalysisOptions());
-  check("shifted: hands over on an edge", a.hands_over && a.over_an_edge);
+  check("shifted: transfer on an edge", a.hands_over && a.over_an_edge);
   const LimitedFlanks   search(shifted, MeshSide::drive);
   const UnloadedContact contact(shifted, MeshSide::drive);
   for (const int k : {0, -1})
-    check_close("shifted: lag at the hand-over, pair " + std::to_string(k) + " [arcsec]",
+    check_close("shifted: lag at the transfer point, pair " + std::to_string(k) + " [arcsec]",
                 search.least_lag(contact.reference() + (a.hand_over + k) * contact.pitch()) /
                   arcsecond,
                 a.hand_over_lag / arcsecond,

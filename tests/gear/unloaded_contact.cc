@@ -46,8 +46,8 @@ void check_hand_over(const GearPair &pair, const UnloadedContact &drive)
                              after     = drive.contact(hand_over, -1);
   // the place is rounded to 0.0005 pitches, where the two lags cross with slopes of 7.5 arcsec a
   // pitch
-  check_close("lag at hand-over, pair 0 [arcsec]", before.lag / arcsecond, 1.795, 0.005);
-  check_close("lag at hand-over, pair -1 [arcsec]", after.lag / arcsecond, 1.795, 0.005);
+  check_close("lag at the transfer point, pair 0 [arcsec]", before.lag / arcsecond, 1.795, 0.005);
+  check_close("lag at the transfer point, pair -1 [arcsec]", after.lag / arcsecond, 1.795, 0.005);
   check("pair 0 touches before, pair -1 after",
         drive.touching(hand_over - 0.01 * drive.pitch()).pair == 0 &&
           drive.touching(hand_over + 0.01 * drive.pitch()).pair == -1);
@@ -101,7 +101,10 @@ void check_coast(const GearPair &pair, const UnloadedContact &drive, const Unloa
   // transmission errors of both sides differ from it by a few arcsec
   const double play =
     drive.touching(pair.rot1_reference()).rot2 - coast.touching(pair.rot1_reference()).rot2;
-  check_close("play of the gear [arcsec]", play / arcsecond, pair.backlash_angle() / arcsecond, 5.);
+  check_close("backlash angle of the gear [arcsec]",
+              play / arcsecond,
+              pair.backlash_angle() / arcsecond,
+              5.);
 }
 
 /** Ellipse at 6.35 um, its inclination and that of the path to the lengthwise direction of the gear

@@ -180,7 +180,7 @@ namespace
     close("peak to peak force", 16);
     close("largest force", 17);
     close("losses of contact", 18);
-    close("time apart", .19);
+    close("time without contact", .19);
     close("time on coast flanks", .2);
     close("energy error", .21);
   }

@@ -149,7 +149,8 @@ namespace
     Table table         = make_resonance_response_table();
     sweep_speeds(model, exact_run(100, 10, 64), sweep, table);
     const std::vector<double> &swing = table.numbers("peak to peak dte"),
-                              &speed = table.numbers("speed"), &apart = table.numbers("time apart");
+                              &speed = table.numbers("speed"),
+                              &apart = table.numbers("time without contact");
     // The same speeds up and down, in equal steps of the mesh frequency.
     double steps = 0;
     for (std::size_t i = 0; i < 36; ++i)

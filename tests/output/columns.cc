@@ -1,8 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // doc/columns.json is what the program writes: columns of the tables and places of summary.json and
-// lumped.json. The pages are compared with it by contrib/check_pages, the report's scripts by their
-// tests. After a change: build/release/tests/output/columns.release/columns.release --list >
-// doc/columns.json
+// lumped.json. Former names, which it lists too, are read. The pages are compared with it by
+// contrib/check_pages, the report's scripts by their tests. After a change:
+// build/release/tests/output/columns.release/columns.release --list > doc/columns.json
 #include "../gear/paper_pair.h"
 #include "../lumped/pair.h"
 #include "../tests.h"
@@ -10,7 +10,9 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/mpi_session.h>
+#include <vfife/base/text/byte_stream.h>
 #include <vfife/base/text/column_names.h>
+#include <vfife/base/text/former_result_names.h>
 #include <vfife/contact/law/hertz.h>
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/fem/modes/campbell.h>
@@ -225,7 +227,7 @@ namespace
                                  {"most messages of a rank", {1, "-"}},
                                  {"most bytes of messages of a rank", {1, "B"}}}}};
     summary.figures         = {{mesh_frequency, {1, "Hz"}},
-                               {swing_frequency, {1, "Hz"}},
+                               {torsional_frequency, {1, "Hz"}},
                                {speed_of("pinion"), {1, "rpm"}},
                                {torque_of("gear"), {1, "N m"}},
                                {force_on_arm, {1, "N"}}};
@@ -317,6 +319,11 @@ namespace
         text << "],\n" << Json(name) << ": [";
         write_list(text, places, "  ");
       }
+    Json former = Json::array();
+    for (const FormerResultName &one : list_former_result_names())
+      former.push_back({{"file", one.file}, {"former", one.former}, {"present", one.present}});
+    text << "],\n\"former names\": [";
+    write_list(text, former, "  ");
     text << "]}\n";
     return text.str();
   }
@@ -352,6 +359,56 @@ namespace
     check("its json", Json::parse(file) == table.json());
   }
 
+  /** Results and a checkpoint of the previous version. */
+  void check_former_names(const OutputFolder &folder)
+  {
+    const auto write = [&folder](const std::string &file, const std::string &text) {
+      std::ofstream(folder.file(file)) << text;
+      return folder.file(file);
+    };
+    check("a former column is read by its present name",
+          read_result_table(write("history.csv", "taken by the driven speed damping [mJ]\n3\n"))
+              .numbers("removed by the driven speed damping") == std::vector<double>{3.});
+    check("columns of numbered waves",
+          read_result_table(write("wave_response.csv", "running wave 12 [um]\n3\n"))
+              .numbers("travelling wave 12") == std::vector<double>{3.});
+    const Table words = read_result_table(
+      write("differences.csv", "quantity,verdict\nnode A median of a turn,not told apart\n"));
+    check("words in cells",
+          words.column("quantity").texts[0] == "node A median per revolution" &&
+            words.column("verdict").texts[0] == "not significant");
+    check("the names of another file stay",
+          read_result_table(write("other.csv", "time apart [-]\n3\n")).columns()[0].name ==
+            "time apart");
+    const std::string summary =
+      write("summary.json",
+            R"({"figures": {"swing frequency, estimated": {"value": 7, "unit": "Hz"}},
+          "probes": {"arm": {"median of a turn": {"value": 5, "unit": "MPa"}}}, "warnings": ["a"]})");
+    check("members of .json files",
+          read_figure(summary, summary_place::figure(figure_name::torsional_frequency)) == 7 &&
+            read_figure(summary, "/probes/arm/median per revolution") == 5);
+    const NamedFigures own = read_own_figures({folder.path()})[0];
+    check("also for tables of runs",
+          own.size() == 1 && own[0].first == "arm median per revolution" &&
+            own[0].second.value == 5);
+
+    Table before, now;
+    for (Table *const table : {&before, &now})
+      {
+        table->add_column(column::time, "s");
+        table->add_column(table == &now ? "removed by the driven speed damping"
+                                        : "taken by the driven speed damping",
+                          "mJ");
+      }
+    before.add_row({1., 3.});
+    ByteStream out;
+    before.serialize_rows(out);
+    ByteStream in(out.bytes());
+    now.serialize_rows(in);
+    check("rows of a checkpoint",
+          now.numbers("removed by the driven speed damping") == std::vector<double>{3.});
+  }
+
   void check_places(const OutputFolder &folder)
   {
     RunSummary summary = make_summary();
@@ -366,7 +423,7 @@ namespace
           read_figure(path, summary_place::time) == .25 &&
             read_figure(path, summary_place::n_contact_losses) == 1 &&
             read_figure(path, summary_place::is_steady) == 1 &&
-            read_figure(path, summary_place::figure(figure_name::swing_frequency)) == 1);
+            read_figure(path, summary_place::figure(figure_name::torsional_frequency)) == 1);
     check("a column of any name",
           read_figure(path, summary_place::steady_mean("beam/end displacement x")) == 3 &&
             read_figure(path, summary_place::steady_peak_to_peak("beam/end displacement x")) == 2);
@@ -404,5 +461,6 @@ int main(int argc, char **argv)
   check("doc/columns.json is what is written", difference.empty());
   check_table_files(folder);
   check_places(folder);
+  check_former_names(folder);
   return 0;
 }

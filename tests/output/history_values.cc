@@ -85,7 +85,7 @@ namespace
             {"work of the drive", {205, "mJ"}},
             {work, {-56, "mJ"}},
             {"damping loss", {7, "mJ"}},
-            {"taken by the driven speed damping", {8, "mJ"}},
+            {"removed by the driven speed damping", {8, "mJ"}},
             {"contact loss", {9, "mJ"}},
             // 308 are there, 110 were, 149 came, 24 were lost
             {"energy error", {73. / 200, "-"}}};

@@ -53,8 +53,8 @@ namespace
     summary.time     = .0125;
     summary.steps    = 250000;
     summary.run_time = 80;
-    summary.figures  = {{"swing frequency, estimated", {1412, "Hz"}},
-                        {"torque over effective arm", {8911, "N"}},
+    summary.figures  = {{"torsional mode frequency, estimated", {1412, "Hz"}},
+                        {"torque over effective lever arm", {8911, "N"}},
                         {"pinion root tension", {236, "MPa"}},
                         {"pinion root compression", {-302, "MPa"}},
                         {"gear root stress range", {392, "MPa"}}};
@@ -111,7 +111,7 @@ namespace
     close("/steady part/start", .004);
     close("/steady part/end", .012);
     close("/steady part/mesh cycles", 72);
-    close("/steady part/swing period", 6);
+    close("/steady part/torsional mode period", 6);
     close("/steady part/largest change of the means", .007);
     close("/steady part/ripple/judged", 1);
     close("/steady part/ripple/steady", 0);
@@ -129,15 +129,15 @@ namespace
     close("/energy/work of the drive", 205);
     close("/energy/work of the torques", -56);
     close("/energy/damping loss", 7);
-    close("/energy/taken by the driven speed damping", 8);
-    close("/energy/taken by the driven speed damping from the swing", 6);
+    close("/energy/removed by the driven speed damping", 8);
+    close("/energy/removed by the driven speed damping from the torsional mode", 6);
     close("/energy/contact loss", 9);
     close("/energy/contact loss by friction", 4);
     close("/energy/residual", residual);
     close("/energy/error", residual / 200);
-    close("/damping audit/0/net torque", 2); // N mm -> N m
-    close("/damping audit/0/power", 5000);   // mJ/s -> W
-    close("/damping audit/0/spin drift", 1); // rad/s -> rpm
+    close("/damping audit/0/net torque", 2);              // N mm -> N m
+    close("/damping audit/0/power", 5000);                // mJ/s -> W
+    close("/damping audit/0/drift of rotation speed", 1); // rad/s -> rpm
     close("/damping audit/0/mean speed rate minus momentum rate", -3);
     close("/contact losses/count", 3);
     close("/contact losses/first", .005);
@@ -171,7 +171,7 @@ namespace
                                                     {"pinion axial shift", {15., "um"}},
                                                     {"gear axial shift", {-72., "um"}},
                                                     {"shaft angle error", {1.8, "arcmin"}},
-                                                    {"swing frequency", {1412, "Hz"}}};
+                                                    {"torsional mode frequency", {1412, "Hz"}}};
     const RunFigures                    run      = read_run_figures(folder.path());
     check("it has finished", run.status == "finished" && run.failure.empty());
     check("as many columns", run.figures.size() == expected.size());
@@ -193,8 +193,8 @@ namespace
       {"pinion root tension", {{236, 240}}},
       {"pinion root compression", {{-302, std::nan("")}}},
       {"gear root stress range", {{392, std::nan("")}}},
-      {"node A largest of a turn", {{63, std::nan("")}}},
-      {"node A median of a turn", {{46, std::nan("")}}},
+      {"node A largest per revolution", {{63, std::nan("")}}},
+      {"node A median per revolution", {{46, std::nan("")}}},
       {"lag", {{std::nan(""), -3}}}};
     const auto all = read_own_figures({folder.path(), other.path(), "nowhere"});
     check("figures of cases: as many", all.size() == 3 && all[0].size() == expected.size());

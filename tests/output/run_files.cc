@@ -277,7 +277,10 @@ namespace
     check("not a number is null", json["transmission error"]["wind-up"]["value"].is_null());
     check_close("energy error", json["energy"]["error"]["value"], 0.5, 1e-12);
     check_close("damping power [W]", json["damping audit"][0]["power"]["value"], 5000, 1e-9);
-    check_close("spin drift [rpm]", json["damping audit"][0]["spin drift"]["value"], 1, 1e-12);
+    check_close("drift of rotation speed [rpm]",
+                json["damping audit"][0]["drift of rotation speed"]["value"],
+                1,
+                1e-12);
     check_close("mean", json["steady part"]["columns"]["dte"]["mean"], -35.7, 0);
 
     summary.status  = "failed";

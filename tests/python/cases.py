@@ -2,6 +2,7 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """Cases, results and failures of the package vfife."""
 import importlib.util
+import json
 import os
 import sys
 import tempfile
@@ -93,6 +94,56 @@ class Runs(Folder):
         self.assertEqual(longer.json("summary")["run"]["steps"], 150)
 
 
+class FormerNames(Folder):
+    """Results of the previous version, whose names of the present version differ."""
+
+    def setUp(self):
+        super().setUp()
+        (self.folder / "history.csv").write_text("time [s],taken by the driven speed damping [mJ]\n0,0\n1e-5,3\n")
+        (self.folder / "wave_response.csv").write_text("direction,speed [rpm],running wave 4 [um]\nup,1000,2\n")
+        (self.folder / "differences.csv").write_text(
+            "quantity,verdict\nnode A median of a turn,told apart\nswing frequency,not told apart\n")
+        frequency = {"value": 1400.0, "unit": "Hz"}
+        (self.folder / "summary.json").write_text(json.dumps({
+            "status": "finished", "figures": {"swing frequency, estimated": frequency, "torque over effective arm at the start": frequency},
+            "energy": {"taken by the driven speed damping from the swing": frequency}, "contradictions": ["a text"],
+            "probes": {"arm": {"median of a turn": {"value": 46.0, "unit": "MPa"}}}}))
+        self.result = vfife.Result(self.folder)
+
+    def test_tables(self):
+        history = self.result.history
+        self.assertEqual(list(history.columns), ["time", "removed by the driven speed damping"])
+        for name in ("removed by the driven speed damping", "taken by the driven speed damping"):
+            self.assertIn(name, history)
+            self.assertEqual(list(history[name]), [0, 3])
+            self.assertEqual(history.units[name], "mJ")
+        self.assertNotIn("taken by", history)
+        self.assertEqual(self.result.table("wave_response")["travelling wave 4"][0], 2)
+        differences = self.result.table("differences")
+        self.assertEqual(list(differences["quantity"]), ["node A median per revolution", "torsional mode frequency"])
+        self.assertEqual(list(differences["verdict"]), ["significant", "not significant"])
+
+    def test_places(self):
+        summary = self.result.json("summary")
+        for name in ("input conflicts", "contradictions"):
+            self.assertEqual(summary[name], ["a text"])
+            self.assertEqual(summary.get(name), ["a text"])
+        self.assertIsNone(summary.get("swing"))
+        self.assertRaises(KeyError, summary.__getitem__, "swing")
+        # Other files have a lever arm.
+        self.assertEqual(summary["probes"]["arm"]["median per revolution"]["value"], 46)
+
+    def test_quantities(self):
+        """By both names; listed by the present one."""
+        found = self.result.summary
+        for name in ("torsional mode frequency, estimated", "swing frequency, estimated", "torque over effective arm at the start",
+                     "torque over effective lever arm at the start", "energy/taken by the driven speed damping from the swing",
+                     "energy/removed by the driven speed damping from the torsional mode"):
+            self.assertEqual(found[name].value, 1400, name)
+        self.assertEqual(len(found), 4)
+        self.assertNotIn("swing frequency, estimated", list(found))
+
+
 class Questions(unittest.TestCase):
     def test_parameters(self):
         parameters = PAIR.set("Gear pair/Proposal/module", 4.5).set("Gear pair/Proposal/face width", "0.025 m").parameters()
@@ -103,7 +154,8 @@ class Questions(unittest.TestCase):
     def test_check(self):
         found = BARS.check()
         self.assertIn("400 elements", found.text)
-        self.assertEqual(found.contradictions, ())
+        self.assertEqual(found.input_conflicts, ())
+        self.assertEqual(found.contradictions, ())  # the former name
 
 
 class Failures(Folder):

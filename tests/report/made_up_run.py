@@ -91,7 +91,7 @@ def make_summary():
                 "element-steps per second": quantity(3600, "1/s"), "timers": {"total": quantity(1, "s")}},
         "steady part": {"start": quantity(2e-4, "s"), "end": quantity(1e-3, "s"), "found": True,
                         "mesh cycles": 7, "explanation": "steady from 0.2 ms", "columns": columns},
-        "energy": {"strain": quantity(1200, "mJ")}, "contradictions": ["<one> & another"],
+        "energy": {"strain": quantity(1200, "mJ")}, "input conflicts": ["<one> & another"],
         "warnings": [], "contact losses": {"count": 0}}
 
 

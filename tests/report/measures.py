@@ -150,7 +150,7 @@ class Checks(unittest.TestCase):
             summary["steady part"]["columns"]["contact torque on the gear"] = {
                 "mean": mean, "peak to peak": 1, "standard deviation": 1, "unit": "N m"}
             summary["contact losses"]["count"] = losses
-            summary["energy"]["taken by the driven speed damping from the swing"] = {"value": swing, "unit": "mJ"}
+            summary["energy"]["removed by the driven speed damping from the torsional mode"] = {"value": swing, "unit": "mJ"}
             (folder / "summary.json").write_text(json.dumps(summary))
             return {name: (verdict, value) for name, value, _, verdict in list_checks(RunFolder(name))}
 
@@ -189,7 +189,7 @@ class SpeedSweep(unittest.TestCase):
                                 "Reduced/highest speed": ("9000 rpm", "rpm"), "Reduced/speeds": ("3", "-"),
                                 "Reduced/settling mesh cycles": ("2", "-"), "Reduced/recorded mesh cycles": ("4", "-")})
         (path / "resonance.csv").write_text("direction,speed [rpm],energy error [-]\nup,8000,0.001\nup,8500,-0.02\nup,9000,0.0049\n")
-        summary = {"status": "finished", "contradictions": [], "warnings": [], "run": {"time": quantity(2e-3, "s"), "steps": 900, "run time": quantity(1, "s"), "ranks": 1}, "figures": {
+        summary = {"status": "finished", "input conflicts": [], "warnings": [], "run": {"time": quantity(2e-3, "s"), "steps": 900, "run time": quantity(1, "s"), "ranks": 1}, "figures": {
             "speeds": quantity(3), "lowest speed": quantity(8000, "rpm"), "highest speed": quantity(9000, "rpm"),
             "transmission error near the cut-off": quantity(8.18, "arcsec"), "mesh order near the cut-off": quantity(8)}}
         (path / "summary.json").write_text(json.dumps(summary))

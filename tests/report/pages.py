@@ -352,11 +352,11 @@ class Pages(unittest.TestCase):
                 "ellipse at the mean contact": {"semi-axis a": quantity(4.855, "mm")},
                 "path": {"contact ratio": quantity(1.69, "-"), "ended by": ["gear tip", "pinion tip"]},
                 "beyond the start": {"lag": quantity(16.3, "arcsec"), "border": "gear tip", "is edge": True},
-                "beyond the end": {"border": "pinion tip"}, "lag over pitches": {}, "hands over": True, "hands over inside the flanks": True,
-                "hand-over": {"peak to peak": quantity(3.98, "arcsec")}}
-        drive = {**side, "hands over inside the flanks": False}
-        coast = {**side, "hands over": False, "path": {"contact ratio": quantity(0.9, "-")}}
-        del coast["hand-over"]
+                "beyond the end": {"border": "pinion tip"}, "lag over pitches": {}, "has a transfer point": True, "transfer point inside the flanks": True,
+                "transfer point": {"peak to peak": quantity(3.98, "arcsec")}}
+        drive = {**side, "transfer point inside the flanks": False}
+        coast = {**side, "has a transfer point": False, "path": {"contact ratio": quantity(0.9, "-")}}
+        del coast["transfer point"]
         sections = {place: {"tip land": quantity(land, "mm")} for place, land in (("toe", 1.5), ("middle", 1.6), ("heel", 1.7))}
         analysis = {"working": {"driving member": "pinion", "direction of rotation": "forward", "side": "drive"},
                     "drive": drive, "coast": coast, "unequal teeth": {"peak to peak": quantity(98.205, "arcsec")},
@@ -416,7 +416,7 @@ class Pages(unittest.TestCase):
             words = self.read(name).partition(">Words</h2>")[2]
             for word in ("ripple", "rim dte", "energy error"):
                 self.assertIn(f">{word}</td>", words)
-            for word in ("regularity", "share of the static turn", "]("):
+            for word in ("undercut indicator", "share of the static rotation", "]("):
                 self.assertNotIn(word, words)
 
     def test_escape(self):
@@ -450,7 +450,7 @@ class Pages(unittest.TestCase):
         columns = make_summary()["steady part"]["columns"]
         summary = self.spoil({**make_summary(), "failure": "failed", "warnings": ["warning"],
                               "damping audit": [{"body": "gear", "net torque": quantity(1),
-                                                 "power": quantity(1), "spin drift": quantity(1)}],
+                                                 "power": quantity(1), "drift of rotation speed": quantity(1)}],
                               "transmission error": {"rim": quantity(1, "arcsec")}})
         summary["steady part"]["columns"] = {
             name: {**one, "unit": self.MARKUP} for name, one in columns.items()}

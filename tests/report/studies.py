@@ -30,7 +30,7 @@ RESONANCES = ("body,nodal diameter [-],order [-],wave,mesh order [-],speed [rpm]
               "gear,2,1,backward,1,803,1080\ngear,2,1,forward,2,400,1040\n")
 MODES = ("body,speed [rpm],mode [-],frequency [Hz],nodal diameter [-],nodal circles [-],direction,fixed frequency [Hz],whirl\n"
          + "".join(f"gear,0,{k},{1000 + k}.5,2,0,standing,nan,\n" for k in range(1, 31)))
-COUPLED = ("axes,mode [-],frequency [Hz],share of the static turn [-],energy in the gear [-],nodal diameter of the gear [-],"
+COUPLED = ("axes,mode [-],frequency [Hz],share of the static rotation [-],energy in the gear [-],nodal diameter of the gear [-],"
            "share of the diameter [-],axial [-],radial [-],tangential [-]\nstanding,1,1571.25,0.62,0.9,0,0.8,0.1,0.1,0.8\n")
 
 
@@ -78,7 +78,7 @@ class Studies(unittest.TestCase):
         with tempfile.TemporaryDirectory() as name:
             (Path(name) / "coupled_modes.csv").write_text(COUPLED)
             text = read_report(name)
-            for words in ("1571.2", "share of the static turn", "0.62"):
+            for words in ("1571.2", "share of the static rotation", "0.62"):
                 self.assertIn(words, text)
 
     def test_at_rest(self):
@@ -113,7 +113,7 @@ class Studies(unittest.TestCase):
                      "transmission error peak to peak": quantity(8, "arcsec"),
                      **{f"stress {k}": quantity(100 + k, "MPa") for k in range(9)}}))
                 (folder / "edge_contact.json").write_text(json.dumps(
-                    {"edges carry": number == 1, "explanation": "edges"}))
+                    {"edge contact": number == 1, "explanation": "edges"}))
             text = read_report(name)
             self.assertIn("These variants have edge contact: offset 0.1 mm.", text)
             curves = draw_curves(Study(Path(name)))
@@ -203,7 +203,7 @@ class Results(unittest.TestCase):
             self.assertEqual(rows[0][:3], ["largest transmission error, peak to peak, at 1500 rpm", 5, "arcsec"])
             self.assertIn("speeds are 500 rpm apart", rows[0][3])
             self.assertEqual(len(rows), 2 + len(mode))
-        rows, _, _ = self.read({"resonance.csv": response, "wave_response.csv": "direction,speed [rpm],running wave 1 [um]\nup,1000,1\n"})
+        rows, _, _ = self.read({"resonance.csv": response, "wave_response.csv": "direction,speed [rpm],travelling wave 1 [um]\nup,1000,1\n"})
         self.assertEqual(rows[1], ["largest contact force, at 1500 rpm", 5000, "N", f"speeds are 500 rpm apart; {NO_ESTIMATE}"])
 
     def test_waves(self):

@@ -64,7 +64,7 @@ def write_sweep(folder, speeds):
                    lambda at, f: 2 * np.cos(2 * np.pi * at) + np.cos(2 * np.pi * FREE_LINE * at / f))
     (folder / "beside" / "1").mkdir(parents=True)
     (folder / "beside" / "1" / "coupled_modes.csv").write_text(
-        "axes,frequency [Hz],share of the static turn [-]\nturning,1000,0.5\n"
+        "axes,frequency [Hz],share of the static rotation [-]\nturning,1000,0.5\n"
         "standing,900,0.1\nstanding,1800,0.3\nstanding,1500,0.001\n")
     write_parameters(folder / "beside" / "1", {"Operation/speed": ("20000 rpm", "rpm")})
     for name, kind in (("2", "lumped"), ("3", "reduced")):
@@ -87,7 +87,7 @@ def write_response(folder, web, forces):
     (folder / "resonance.csv").write_text(
         "direction,speed [rpm],peak to peak dte [arcsec],largest force [N]\n" + "".join(
             f"up,{speed},{force / 1000},{force}\n" for speed, force in rows))
-    (folder / "wave_response.csv").write_text("direction,speed [rpm],running wave 1 [um]\n" + "".join(
+    (folder / "wave_response.csv").write_text("direction,speed [rpm],travelling wave 1 [um]\n" + "".join(
         f"up,{speed},1\n" for speed, _ in rows))
     (folder / "stress_response.csv").write_text(
         "direction,speed [rpm],place,stress without vibration [MPa],largest stress [MPa],amplification [-]\n" + "".join(
@@ -296,8 +296,8 @@ class Errors(unittest.TestCase):
             "quantity,variant,other variant,unit,difference [unit],error of the difference [unit],"
             "sum of both errors [unit],verdict\n"
             "dte mean,thickness = 5 mm,thickness = 3.5 mm,arcsec,-1.125,nan,nan,not known\n"
-            "ripple,thickness = 5 mm,thickness = 3.5 mm,-,-0.5,0.588,0.612,not told apart\n"
-            "lost,thickness = 5 mm,thickness = 3.5 mm,-,0,0,0,not told apart\n")
+            "ripple,thickness = 5 mm,thickness = 3.5 mm,-,-0.5,0.588,0.612,not significant\n"
+            "lost,thickness = 5 mm,thickness = 3.5 mm,-,0,0,0,not significant\n")
 
     def tearDown(self):
         self.folder.cleanup()
@@ -340,8 +340,8 @@ class Errors(unittest.TestCase):
 
     def test_verdicts(self):
         ripple = Study(self.path).error_bars.quantities[1]
-        self.assertEqual(ripple.list_others("thickness = 5 mm", "not told apart"), ["thickness = 3.5 mm"])
-        self.assertEqual(ripple.list_others("thickness = 5 mm", "order told"), [])
+        self.assertEqual(ripple.list_others("thickness = 5 mm", "not significant"), ["thickness = 3.5 mm"])
+        self.assertEqual(ripple.list_others("thickness = 5 mm", "sign significant"), [])
 
 
 class Sidebands(unittest.TestCase):

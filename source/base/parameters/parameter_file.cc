@@ -321,8 +321,8 @@ namespace vfife
     // Several at once, each with its own place: a user mends them in one go.
     if (const auto *const several = dynamic_cast<const InputErrors *>(&error))
       {
-        std::string text = std::to_string(several->errors().size()) +
-                           " contradictions in the input; the program stops";
+        std::string text =
+          std::to_string(several->errors().size()) + " conflicts in the input; the program stops";
         for (const InputError &one : several->errors())
           text += "\n  " + explain(one);
         return text;

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/text/byte_stream.h>
+#include <vfife/base/text/former_result_names.h>
 #include <vfife/base/text/number_text.h>
 #include <vfife/base/text/table.h>
 #include <vfife/base/types.h>
@@ -117,8 +118,17 @@ namespace vfife
     std::vector<std::string> stored;
     for (const Column &column : columns_)
       stored.push_back(header_of(column));
-    const std::vector<std::string> known = stored;
+    std::vector<std::string> known = stored;
     stream.pass_required_part("columns", [&](ByteStream &part) { part.pass(stored, n_rows_); });
+    // The checkpoint of a previous version has a column by its former name.
+    for (std::size_t i = 0; i < columns_.size(); ++i)
+      {
+        const std::string &name   = columns_[i].name;
+        const std::string  former = former_result_name(name) + known[i].substr(name.size());
+        if (std::find(stored.begin(), stored.end(), known[i]) == stored.end() &&
+            std::find(stored.begin(), stored.end(), former) != stored.end())
+          known[i] = former;
+      }
     for (const std::string &name : stored)
       if (std::find(known.begin(), known.end(), name) == known.end())
         throw InputError("unexpected column " + name + " in stored rows; expected " + csv_header());

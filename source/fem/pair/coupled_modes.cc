@@ -307,7 +307,7 @@ namespace vfife
     table.add_text_column(column::axes);
     table.add_column("mode", "-");
     table.add_column(column::frequency, "Hz");
-    table.add_column(column::share_of_static_turn, "-");
+    table.add_column(column::share_of_static_rotation, "-");
     table.add_column("energy in the gear", "-");
     table.add_column("nodal diameter of the gear", "-");
     table.add_column("share of the diameter", "-");

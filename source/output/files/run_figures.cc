@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/text/column_names.h>
+#include <vfife/base/text/former_result_names.h>
 #include <vfife/base/types.h>
 #include <vfife/output/files/result_places.h>
 #include <vfife/output/files/run_figures.h>
@@ -8,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 
 namespace vfife
@@ -50,7 +52,7 @@ namespace vfife
               {column::pinion_axial_shift, "um", misalignment_of(column::pinion_axial_shift)},
               {column::gear_axial_shift, "um", misalignment_of(column::gear_axial_shift)},
               {column::shaft_angle_error, "arcmin", misalignment_of(column::shaft_angle_error)},
-              {"swing frequency", "Hz", figure(figure_name::swing_frequency)}};
+              {"torsional mode frequency", "Hz", figure(figure_name::torsional_frequency)}};
     }
 
     /** A number, yes or no as 1 or 0, the value of a figure; NaN for what is missing or null. */
@@ -88,16 +90,32 @@ namespace vfife
       }
     };
 
+    /** The same with members by their present names. */
+    Json with_present_names(const std::string &file, const Json &json)
+    {
+      if (!json.is_structured())
+        return json;
+      Json same = json.is_array() ? Json::array() : Json::object();
+      for (const auto &[name, value] : json.items())
+        if (json.is_array())
+          same.push_back(with_present_names(file, value));
+        else
+          same[present_result_name(file, name)] = with_present_names(file, value);
+      return same;
+    }
+
     /** Null where there is no file, discarded where it is no JSON. */
     Json read_json(const std::string &path)
     {
       std::ifstream file(path);
-      return file ? Json::parse(file, nullptr, false) : Json();
+      return file ? with_present_names(std::filesystem::path(path).filename().string(),
+                                       Json::parse(file, nullptr, false))
+                  : Json();
     }
 
     /** Figures by names that depend on the case: those of figures.json; of summary.json root
-     * stresses, pressures on grids of their own, and of each probe largest and median stress of its
-     * turn. */
+     * stresses, pressures on grids of their own, and of each probe largest and median stress per
+     * revolution. */
     Json read_figures_of_case(const std::string &folder)
     {
       Json       figures = read_json(folder + "/figures.json");
@@ -118,9 +136,10 @@ namespace vfife
           figures[name] = figure;
       });
       for_each(summary_place::probes, [&](const std::string &name, const Json &probe) {
-        for (const char *of_turn : {summary_place::largest_of_turn, summary_place::median_of_turn})
-          if (probe.contains(of_turn))
-            figures[name + " " + of_turn] = probe.at(of_turn);
+        for (const char *stress :
+             {summary_place::largest_of_revolution, summary_place::median_of_revolution})
+          if (probe.contains(stress))
+            figures[name + " " + stress] = probe.at(stress);
       });
       return figures;
     }

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/log.h>
+#include <vfife/base/text/column_names.h>
 #include <vfife/base/text/json.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/result_places.h>
@@ -90,14 +91,14 @@ namespace vfife
 
     void add_steady_part(const SteadyPart &part, Json &json)
     {
-      Json &steady                       = json["steady part"];
-      steady["compared"]                 = part.by_cycles ? "single mesh cycles" : "swing periods";
-      at(summary_place::is_steady, json) = part.found;
-      steady["explanation"]              = part.explain();
+      Json &steady       = json["steady part"];
+      steady["compared"] = part.by_cycles ? "single mesh cycles" : "periods of the torsional mode";
+      at(summary_place::is_steady, json)        = part.found;
+      steady["explanation"]                     = part.explain();
       at(summary_place::steady_start, json)     = figure_json(part.start_time, "s");
       steady["end"]                             = figure_json(part.end_time, "s");
       steady["mesh cycles"]                     = part.cycles;
-      steady["swing period"]                    = figure_json(part.period, "mesh cycles");
+      steady["torsional mode period"]           = figure_json(part.period, "mesh cycles");
       steady["largest change of the means"]     = figure_json(part.largest_change, "-");
       steady["ripple"]                          = ripple_json(part.ripple);
       at(summary_place::is_ripple_steady, json) = part.ripple.steady;
@@ -112,16 +113,16 @@ namespace vfife
     Json probe(const ProbeRecord &record)
     {
       Json json;
-      json[summary_place::passes_mesh]     = figure_json(record.passes_mesh, "s");
-      json["largest of the record"]        = figure_json(record.peak, "MPa");
-      json["at"]                           = figure_json(record.peak_time, "s");
-      json["least of the record"]          = figure_json(record.least, "MPa");
-      json[summary_place::largest_of_turn] = figure_json(record.largest, "MPa");
-      json["after the mesh"]               = figure_json(record.largest_after_mesh, "mesh cycles");
-      json[summary_place::median_of_turn]  = figure_json(record.median, "MPa");
-      json["the record has the peak"]      = record.has_peak;
-      json["the record has the median"]    = record.has_median;
-      json["explanation"]                  = record.explain();
+      json[summary_place::passes_mesh]           = figure_json(record.passes_mesh, "s");
+      json["largest of the record"]              = figure_json(record.peak, "MPa");
+      json["at"]                                 = figure_json(record.peak_time, "s");
+      json["least of the record"]                = figure_json(record.least, "MPa");
+      json[summary_place::largest_of_revolution] = figure_json(record.largest, "MPa");
+      json[column::after_mean_contact] = figure_json(record.largest_after_mesh, "mesh cycles");
+      json[summary_place::median_of_revolution] = figure_json(record.median, "MPa");
+      json["the record has the peak"]           = record.has_peak;
+      json["the record has the median"]         = record.has_median;
+      json["explanation"]                       = record.explain();
       return json;
     }
 
@@ -131,14 +132,14 @@ namespace vfife
       energy["kinetic"] = figure_json(ledger.kinetic, "mJ");
       energy["kinetic, relative to the turning bodies"] =
         figure_json(ledger.kinetic_relative, "mJ");
-      energy["strain"]                            = figure_json(ledger.strain, "mJ");
-      energy["contact"]                           = figure_json(ledger.contact, "mJ");
-      energy["start"]                             = figure_json(ledger.start, "mJ");
-      energy["work of the drive"]                 = figure_json(ledger.drive_work, "mJ");
-      energy["work of the torques"]               = figure_json(ledger.torque_work, "mJ");
-      energy["damping loss"]                      = figure_json(ledger.damping_loss, "mJ");
-      energy["taken by the driven speed damping"] = figure_json(ledger.mesh_damping_uptake, "mJ");
-      energy["taken by the driven speed damping from the swing"] =
+      energy["strain"]                              = figure_json(ledger.strain, "mJ");
+      energy["contact"]                             = figure_json(ledger.contact, "mJ");
+      energy["start"]                               = figure_json(ledger.start, "mJ");
+      energy["work of the drive"]                   = figure_json(ledger.drive_work, "mJ");
+      energy["work of the torques"]                 = figure_json(ledger.torque_work, "mJ");
+      energy["damping loss"]                        = figure_json(ledger.damping_loss, "mJ");
+      energy["removed by the driven speed damping"] = figure_json(ledger.mesh_damping_uptake, "mJ");
+      energy["removed by the driven speed damping from the torsional mode"] =
         figure_json(ledger.swing_loss, "mJ");
       energy["contact loss"]                = figure_json(ledger.contact_loss, "mJ");
       energy["contact loss by friction"]    = figure_json(ledger.friction_loss, "mJ");
@@ -153,7 +154,7 @@ namespace vfife
         json.push_back({{"body", audit.body},
                         {"net torque", figure_json(1e-3 * audit.net_torque, "N m")},
                         {"power", figure_json(1e-3 * audit.power, "W")},
-                        {"spin drift", figure_json(audit.spin_drift * 30 / pi, "rpm")},
+                        {"drift of rotation speed", figure_json(audit.spin_drift * 30 / pi, "rpm")},
                         {"mean speed rate minus momentum rate",
                          figure_json(audit.rate_difference * 30 / pi, "rpm")}});
       return json;
@@ -215,7 +216,7 @@ namespace vfife
     at(summary_place::n_contact_losses, json) = losses.count;
     json["contact losses"]["first"] = losses.count > 0 ? figure_json(losses.first, "s") : Json();
     json["contact losses"]["time without contact"] = figure_json(losses.duration, "s");
-    json["contradictions"]                         = summary.contradictions;
+    json["input conflicts"]                        = summary.contradictions;
     json["warnings"]                               = summary.warnings;
     return json_text(json);
   }

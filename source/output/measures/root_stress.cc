@@ -73,7 +73,9 @@ namespace vfife
     columns.add_text("body", [](Sample sample) { return sample.body; });
     columns.add_text(column::fillet, [](Sample sample) { return sample.fillet; });
     columns.add("tooth", "-", [](Sample sample) { return sample.tooth; });
-    columns.add(column::after_mesh, "mesh cycles", [](Sample sample) { return sample.after_mesh; });
+    columns.add(column::after_mean_contact, "mesh cycles", [](Sample sample) {
+      return sample.after_mesh;
+    });
     const auto add = [&columns](const std::string &name, RootExtreme RootStressSample::*extreme) {
       columns.add(name, "MPa", [extreme](Sample sample) { return (sample.*extreme).stress; });
       columns.add(name + " along the face", "mm", [extreme](Sample sample) {
@@ -93,7 +95,9 @@ namespace vfife
     using Sample = const GaugeSample &;
     SampleColumns<GaugeSample> columns;
     columns.add_text("gauge", [](Sample sample) { return sample.gauge; });
-    columns.add(column::after_mesh, "mesh cycles", [](Sample sample) { return sample.after_mesh; });
+    columns.add(column::after_mean_contact, "mesh cycles", [](Sample sample) {
+      return sample.after_mesh;
+    });
     columns.add("strain", "um/m", [](Sample sample) { return 1e6 * sample.strain; });
     return columns;
   }
@@ -288,7 +292,7 @@ namespace vfife
       {
         table.add_column(name, "MPa");
         table.add_column(name + " up the profile", "mm");
-        table.add_column(name + " after the mesh", "mesh cycles");
+        table.add_column(name + " after the mean contact", "mesh cycles");
       }
     table.add_column("range", "MPa");
     return table;

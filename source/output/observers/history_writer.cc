@@ -25,7 +25,7 @@ namespace vfife
       add("work of the drive", &EnergyLedger::drive_work);
       add(is_pair ? "work of the torques" : "work of the loads", &EnergyLedger::torque_work);
       add("damping loss", &EnergyLedger::damping_loss);
-      add("taken by the driven speed damping", &EnergyLedger::mesh_damping_uptake);
+      add("removed by the driven speed damping", &EnergyLedger::mesh_damping_uptake);
       add("contact loss", &EnergyLedger::contact_loss);
       columns.add(column::energy_error, "-", [](Now now) { return now.energy.error(); });
     }

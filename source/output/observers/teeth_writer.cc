@@ -21,8 +21,10 @@ namespace vfife
         return column::tooth_of(model.bodies[b].name());
       };
       columns.add_text(column::side, [](Pair pair) { return pair.contact.side; });
-      columns.add(t ? tooth(t->driver) : "slave group", "-", [](Pair pair) { return pair.first; });
-      columns.add(t ? tooth(t->driven) : "master group", "-", [](Pair pair) {
+      columns.add(t ? tooth(t->driver) : "slave facet group", "-", [](Pair pair) {
+        return pair.first;
+      });
+      columns.add(t ? tooth(t->driven) : "master facet group", "-", [](Pair pair) {
         return pair.second;
       });
       columns.add(column::force, "N", [](Pair pair) { return pair.contact.force.norm(); });

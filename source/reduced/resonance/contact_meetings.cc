@@ -303,7 +303,7 @@ namespace vfife
   std::string describe_wave(const ContactMeeting &meeting)
   {
     if (meeting.turn_share > meeting.share)
-      return "swing";
+      return "torsional mode";
     return "n = " + std::to_string(meeting.diameters) +
            (meeting.diameters == 0 ? "" : std::string(" ") + name_of(meeting.direction));
   }

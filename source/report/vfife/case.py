@@ -13,9 +13,14 @@ from .result import Result
 
 @dataclass(frozen=True)
 class Check:
-    """What --check says: all its lines, and those that name a contradiction."""
+    """What --check says: all its lines, and those that name an input conflict."""
     text: str
-    contradictions: tuple
+    input_conflicts: tuple
+
+    @property
+    def contradictions(self):
+        """The former name of input_conflicts."""
+        return self.input_conflicts
 
 
 class Case:
@@ -38,7 +43,7 @@ class Case:
         return parse_parameters(self._ask("--print-parameters"), self.file)
 
     def check(self):
-        """Builds the model and computes nothing: sizes, step, expected time, contradictions. InputError."""
+        """Builds the model and computes nothing: sizes, step, expected time, input conflicts. InputError."""
         text = self._ask("--check")
         lines = [line.strip() for line in text.splitlines()]
         mark = "warning: input conflict:"

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from vfife_report.data.files import find_fields, read_json
+from vfife_report.data.former_names import Named
 from vfife_report.data.parameters import read_parameters
 from vfife_report.data.table import Table
 
@@ -72,9 +73,9 @@ class Result:
     @cached_property
     def summary(self):
         """All figures of the study with values and units: those of figures.json and of the group "figures" of
-        summary.json by their names, "dte mean" and its like of the steady part, others by their place, "energy/error".
+        summary.json by their names, "dte mean" and its like of the steady part, others by their place, "energy/error". Those with another name in the previous version are found by it, too.
         """
-        figures = {}
+        figures = Named(None)
         for path in sorted(self.path.glob("*.json")):
             if path.name not in NO_FIGURES:
                 collect_figures(read_json(path, {}), "", figures)

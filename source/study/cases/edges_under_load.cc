@@ -95,7 +95,7 @@ namespace vfife
 
   Json EdgesUnderLoad::json() const
   {
-    Json json = {{"edges carry", found()}, {"explanation", explain()}};
+    Json json = {{"edge contact", found()}, {"explanation", explain()}};
     json.update(figures_json({{"path of contact begins", {borders_[0].place, "pitches"}},
                               {"path of contact ends", {borders_[1].place, "pitches"}},
                               {"largest force before it", {borders_[0].force, "N"}},

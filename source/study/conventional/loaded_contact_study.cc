@@ -244,7 +244,7 @@ namespace vfife
       for (const Probe &probe : model.probes)
         {
           const std::size_t row        = probes.find_largest(probe.name);
-          const double      after_mesh = probes.table().numbers(column::after_mesh)[row];
+          const double      after_mesh = probes.table().numbers(column::after_mean_contact)[row];
           log.line(probe.name,
                    ": largest von Mises stress in one revolution ",
                    probes.table().numbers(column::von_mises)[row],

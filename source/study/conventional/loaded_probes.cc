@@ -17,7 +17,7 @@ namespace vfife
         stresses_.push_back(quantity);
     for (const Probe &probe : model.probes)
       copies_.push_back(list_copies(model, probe));
-    table_.add_column(column::after_mesh, "mesh cycles");
+    table_.add_column(column::after_mean_contact, "mesh cycles");
     table_.add_text_column(column::probe);
     for (const ProbeQuantity &stress : stresses_)
       table_.add_column(stress.name, stress.unit);

@@ -68,17 +68,18 @@ namespace vfife
                     {"gear L at the end", {a.path.back().contact.gear_L_h[0], "mm"}},
                     {"angle to the lengthwise direction", {a.path_angle / degree, "deg"}}});
     json["path"]["ended by"] = {a.ends[0].border, a.ends[1].border};
-    // Beyond either end of the path an edge may go on carrying.
+    // Beyond either end of the path an edge may remain in contact.
     for (const unsigned int i : {0u, 1u})
       {
         const PathEnd &end  = a.ends[i];
         Json          &part = json[i == 0 ? "beyond the start" : "beyond the end"];
-        part                = figures_json({{"edge takes over at", {end.place, "pitches"}},
-                                            {"lag", {end.lag / arcsecond, "arcsec"}},
-                                            {"edge stays in contact for", {end.reach, "pitches"}},
-                                            {"approach before it carries", {end.approach / arcsecond, "arcsec"}}});
-        part["border"]      = end.border;
-        part["is edge"]     = end.is_edge;
+        part =
+          figures_json({{"edge contact starts at", {end.place, "pitches"}},
+                        {"lag", {end.lag / arcsecond, "arcsec"}},
+                        {"edge stays in contact for", {end.reach, "pitches"}},
+                        {"approach before edge contact", {end.approach / arcsecond, "arcsec"}}});
+        part["border"]  = end.border;
+        part["is edge"] = end.is_edge;
       }
 
     // The lag as sum c_i p^i [arcsec] over the place p on the path [pitches].
@@ -89,11 +90,11 @@ namespace vfife
       lag.push_back(
         {"power " + std::to_string(i + 2), {a.lag_polynomial[i] / arcsecond, "arcsec"}});
     lag.push_back({"largest deviation of the polynomial", {a.fit_error / arcsecond, "arcsec"}});
-    json["lag over pitches"]             = figures_json(lag);
-    json["hands over inside the flanks"] = a.hands_over && !a.over_an_edge;
-    json["hands over"]                   = a.hands_over;
+    json["lag over pitches"]                 = figures_json(lag);
+    json["transfer point inside the flanks"] = a.hands_over && !a.over_an_edge;
+    json["has a transfer point"]             = a.hands_over;
     if (a.hands_over)
-      json["hand-over"] =
+      json["transfer point"] =
         figures_json({{"place", {a.hand_over, "pitches"}},
                       {"lag", {a.hand_over_lag / arcsecond, "arcsec"}},
                       {"peak to peak", {a.peak_to_peak / arcsecond, "arcsec"}},

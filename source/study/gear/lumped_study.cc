@@ -50,10 +50,11 @@ namespace vfife
       return {{"torque on the gear", {1e-3 * pair.torque, "N m"}},
               {"gear inertia", {1e3 * pair.driven_inertia, "kg mm^2"}},
               {"pinion inertia", {1e3 * pair.driver_inertia, "kg mm^2"}},
-              {"inertia of the swing, at the gear", {1e3 * model.swing_inertia(), "kg mm^2"}},
+              {"inertia of the torsional mode, at the gear",
+               {1e3 * model.swing_inertia(), "kg mm^2"}},
               {"mesh stiffness, mean at the torque", {1e-3 * model.mesh_stiffness(), "N m/rad"}},
-              {"arm", {pair.arm, "mm"}},
-              {"backlash, turn of the gear", {pair.law.backlash / arcsecond, "arcsec"}}};
+              {"lever arm", {pair.arm, "mm"}},
+              {"backlash angle of the gear", {pair.law.backlash / arcsecond, "arcsec"}}};
     }
 
     NamedFigures response_figures(const LumpedResponse &response, const double speed)
@@ -66,7 +67,7 @@ namespace vfife
               {"rms force", {response.rms_force, "N"}},
               {column::peak_to_peak_force, {response.pp_force, "N"}},
               {"losses of contact", {static_cast<double>(response.losses), "-"}},
-              {column::time_apart, {response.time_apart, "-"}},
+              {column::time_without_contact, {response.time_apart, "-"}},
               {"time on coast flanks", {response.time_coast, "-"}},
               {column::energy_error, {response.energy_error, "-"}}};
     }
@@ -77,7 +78,7 @@ namespace vfife
     {
       const std::vector<double> &speed        = table.numbers(column::speed),
                                 &swing        = table.numbers(column::peak_to_peak_dte),
-                                &apart        = table.numbers(column::time_apart);
+                                &apart        = table.numbers(column::time_without_contact);
       const std::vector<std::string> &pass    = table.column(column::direction).texts;
       const std::size_t               n       = std::count(pass.begin(), pass.end(), "up");
       std::size_t                     largest = 0;

@@ -13,7 +13,7 @@ namespace vfife
 {
   Json form_json(const ToothForms &forms)
   {
-    Json json = figures_json({{"play of the gear", {forms.play / arcsecond, "arcsec"}},
+    Json json = figures_json({{"backlash angle of the gear", {forms.play / arcsecond, "arcsec"}},
                               {"normal backlash", {forms.backlash, "mm"}}});
     for (const auto *member : {&forms.pinion, &forms.gear})
       for (const ToothSection &section : *member)
@@ -23,14 +23,14 @@ namespace vfife
                         {"tip land", {section.tip_land, "mm"}},
                         {"root clearance", {section.root_clearance, "mm"}},
                         {"mating tip over the fillet", {section.fillet_distance, "mm"}},
-                        {"regularity at the fillet", {section.regularity, "-"}}});
+                        {"undercut indicator at the fillet", {section.regularity, "-"}}});
     return json;
   }
 
   void log_forms(const ToothForms &forms, Log &log)
   {
-    log.line(
-      "teeth (mm)            thickness  tip land  root clearance  tip over fillet  regularity");
+    log.line("teeth (mm)            thickness  tip land  root clearance  tip over fillet  undercut "
+             "indicator");
     for (const auto *member : {&forms.pinion, &forms.gear})
       for (const ToothSection &section : *member)
         {
@@ -39,7 +39,7 @@ namespace vfife
             std::snprintf(over_fillet, sizeof over_fillet, "%.3f", section.fillet_distance);
           std::snprintf(row,
                         sizeof row,
-                        "  %-7s %-7s %14.3f %9.3f %15.3f %16s %11.2f",
+                        "  %-7s %-7s %14.3f %9.3f %15.3f %16s %19.2f",
                         member == &forms.pinion ? "pinion" : "gear",
                         section.place.c_str(),
                         section.thickness,

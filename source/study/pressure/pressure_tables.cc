@@ -50,7 +50,7 @@ namespace vfife
   {
     Table table;
     add_position_columns(rows, table);
-    table.add_column(column::after_mesh, "mesh cycles");
+    table.add_column(column::after_mean_contact, "mesh cycles");
     table.add_column(column::force, "N");
     table.add_column(column::torque, "N m");
     table.add_column("share of torque", "-");

@@ -136,8 +136,8 @@ namespace vfife
     table.add_column(column::speed, "rpm");
     for (unsigned int n = 1; n <= SpeedResponse::largest_wave; ++n)
       {
-        table.add_column("standing wave " + std::to_string(n), "um");
-        table.add_column("running wave " + std::to_string(n), "um");
+        table.add_column("stationary wave " + std::to_string(n), "um");
+        table.add_column("travelling wave " + std::to_string(n), "um");
       }
     return table;
   }

@@ -43,8 +43,8 @@ namespace vfife
   void add_swing(const Swing &swing, RunSummary &summary)
   {
     summary.figures.push_back({"torsional stiffness", {1e-3 * swing.stiffness, "N m/rad"}});
-    summary.figures.push_back({"inertia of the swing", {1e-3 * swing.inertia, "kg m^2"}});
-    summary.figures.push_back({figure_name::swing_frequency, {swing.frequency(), "Hz"}});
+    summary.figures.push_back({"inertia of the torsional mode", {1e-3 * swing.inertia, "kg m^2"}});
+    summary.figures.push_back({figure_name::torsional_frequency, {swing.frequency(), "Hz"}});
   }
 
   void add_preload(const PairPreload &preload, const bool on_shafts, RunSummary &summary)

@@ -243,7 +243,7 @@ namespace vfife
       }
     // The springs let the gear lag: negative, as the part in which it is contained.
     summary.transmission_error.push_back(
-      {"penalty springs, in teeth and rest", {-penalty_lag / arcsecond, "arcsec"}});
+      {"penalty compliance, in teeth and rest", {-penalty_lag / arcsecond, "arcsec"}});
     summary.figures.push_back(
       {"hertz pressure of one tooth pair", {TorquePressure(hertz_, model_).largest, "MPa"}});
 

@@ -70,9 +70,9 @@ namespace vfife
 
   std::string word_for(const Verdict verdict)
   {
-    static const Choices<Verdict> words = {{"told apart", Verdict::told_apart},
-                                           {"order told", Verdict::order_told},
-                                           {"not told apart", Verdict::not_told_apart},
+    static const Choices<Verdict> words = {{"significant", Verdict::significant},
+                                           {"sign significant", Verdict::sign_significant},
+                                           {"not significant", Verdict::not_significant},
                                            {"not known", Verdict::not_known}};
     return word_of(verdict, words);
   }
@@ -84,8 +84,8 @@ namespace vfife
     if (!std::isfinite(size) || !std::isfinite(both) || !std::isfinite(difference.error))
       return Verdict::not_known;
     if (size > both)
-      return Verdict::told_apart;
-    return size > difference.error ? Verdict::order_told : Verdict::not_told_apart;
+      return Verdict::significant;
+    return size > difference.error ? Verdict::sign_significant : Verdict::not_significant;
   }
 
   ErrorTables make_error_tables(const std::vector<std::string> &numerical_parameters)

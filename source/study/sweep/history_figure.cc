@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/text/column_names.h>
+#include <vfife/base/text/former_result_names.h>
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/base/text/quantity.h>
 #include <vfife/base/text/table.h>
@@ -314,8 +315,9 @@ namespace vfife
       return history.numbers(name);
     };
     const std::string over = is_over_speed() ? column::speed : column::time;
-    const Numbers    &all = find(column), &all_times = find(over);
-    const std::string unit = unit_of(value, history.column(column).unit, history.column(over).unit);
+    const std::string own  = present_result_name(file(), column);
+    const Numbers    &all = find(own), &all_times = find(over);
+    const std::string unit = unit_of(value, history.column(own).unit, history.column(over).unit);
     // Speeds may rise and fall, and all of them count.
     const auto first =
       is_over_speed()

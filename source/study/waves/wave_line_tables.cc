@@ -163,7 +163,7 @@ namespace vfife
     table.add_column("phase", "deg");
     table.add_column("fitted amplitude", "um");
     table.add_column("linear amplitude", "um");
-    table.add_column("running wave", "um");
+    table.add_column("travelling wave", "um");
     table.add_column(column::peak_to_peak_dte, "arcsec");
     table.add_column(column::largest_force, "N");
     table.add_column(column::energy_error, "-");

@@ -345,8 +345,8 @@ namespace
                 value("mean speed rate minus momentum rate") * rpm / difference,
                 1.,
                 1e-2);
-    check_close("drifting ring, " + rate + ": spin drift over the momentum's [rpm]",
-                value("spin drift") - (growth - 1) * first_s / rpm,
+    check_close("drifting ring, " + rate + ": drift of rotation speed over the momentum's [rpm]",
+                value("drift of rotation speed") - (growth - 1) * first_s / rpm,
                 0.,
                 10.);
   }

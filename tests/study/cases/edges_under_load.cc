@@ -74,7 +74,7 @@ namespace
                                             {.05 * mesh, "drive", 26, 300},
                                             {.2 * mesh, "drive", 1, 70},
                                             {27.2 * mesh, "drive", 1, 60}});
-    check("outside: edges carry", outside.found());
+    check("outside: edge contact", outside.found());
     check_close("outside: before [N]", value(outside, "largest force before it"), 300, 0);
     check_close("outside: after [N]", value(outside, "largest force after it"), 70, 0);
     check("outside: named",
@@ -155,10 +155,10 @@ namespace
                        {"Study/kind=" + kind, "Operation/contact stress limit=1.2 GPa"});
         run_pair("pressure.prm", "kind", communicator, entries);
         const nlohmann::json summary = read_summary("kind");
-        const auto           found   = summary.at("contradictions").dump();
+        const auto           found   = summary.at("input conflicts").dump();
         std::ifstream        file("kind/run.log");
         const std::string    log((std::istreambuf_iterator<char>(file)), {});
-        check(kind + ": contradiction in the summary",
+        check(kind + ": input conflict in the summary",
               found.find("1296 MPa, exceeds the limit of 1200 MPa") != std::string::npos);
         check("in the log",
               log.find("warning: input conflict: Hertzian pressure") != std::string::npos);
@@ -166,7 +166,7 @@ namespace
         for (std::size_t at = 0; (at = log.find("\nwarning: ", at)) != std::string::npos; ++at)
           ++n_warnings;
         check("warnings of the log in the summary",
-              summary.at("warnings").size() + summary.at("contradictions").size() == n_warnings);
+              summary.at("warnings").size() + summary.at("input conflicts").size() == n_warnings);
       }
   }
 

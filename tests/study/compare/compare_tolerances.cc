@@ -70,7 +70,7 @@ namespace
     write("tolerances_run/history.csv", "time [s],dte [arcsec]\n0,-101\n0.001,-101\n");
     write("tolerances_run/summary.json",
           R"({"figures": {"pinion speed": {"value": 500}, "mesh frequency": {"value": 225},
-              "torque over effective arm": {"value": 996}, "gear torque": {"value": 100}},
+              "torque over effective lever arm": {"value": 996}, "gear torque": {"value": 100}},
               "steady part": {"found": true, "start": {"value": 0}, "columns": {
                 "dte": {"mean": -101}, "contact force total": {"mean": 1004},
                 "contact torque on the gear": {"mean": 100.1}}}})");
@@ -102,8 +102,8 @@ namespace
       write(folder + "/history.csv", history.str());
       write(folder + "/summary.json",
             R"({"figures": {"pinion speed": {"value": 500}, "mesh frequency": {"value": 225},
-                "cut-off frequency": {"value": 25000}, "swing frequency, estimated": {"value": 1500},
-                "torque over effective arm": {"value": 996}, "gear torque": {"value": 100}},
+                "cut-off frequency": {"value": 25000}, "torsional mode frequency, estimated": {"value": 1500},
+                "torque over effective lever arm": {"value": 996}, "gear torque": {"value": 100}},
                 "steady part": {"found": true, "start": {"value": 0}, "columns": {
                   "dte": {"mean": )" +
               std::to_string(mean) + R"(}, "contact force total": {"mean": 1000},
@@ -129,7 +129,7 @@ namespace
       write("arms_run/history.csv", "time [s],dte [arcsec]\n0,-101\n0.001,-101\n");
       write("arms_run/summary.json",
             R"({"figures": {"pinion speed": {"value": 500}, "mesh frequency": {"value": 225},
-                "torque over effective arm": {"value": 1000}, "gear torque": {"value": 100})" +
+                "torque over effective lever arm": {"value": 1000}, "gear torque": {"value": 100})" +
               arms + R"(}, "steady part": {"found": true, "start": {"value": 0}, "columns": {
                   "dte": {"mean": -101}, "contact force total": {"mean": 1030},
                   "contact torque on the gear": {"mean": 100.1}}}})");
@@ -140,8 +140,8 @@ namespace
                 << std::endl;
     };
     const auto figures = [](const std::string &least) {
-      return R"(, "effective arm": {"value": 100}, "least arm on the path of contact": {"value": )" +
-             least + R"(}, "largest arm on the path of contact": {"value": 102})";
+      return R"(, "effective lever arm": {"value": 100}, "least lever arm on the path of contact": {"value": )" +
+             least + R"(}, "largest lever arm on the path of contact": {"value": 102})";
     };
     show(figures("97"));
     show(figures("98"));

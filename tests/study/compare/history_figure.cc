@@ -113,6 +113,19 @@ namespace
     check_close("above half at the end", figure.compute(table).value, 3., 1e-14);
   }
 
+  /** A column by its name of the previous version. */
+  void former_name()
+  {
+    Table table;
+    table.add_column("time", "s");
+    table.add_column("removed by the driven speed damping", "mJ");
+    table.add_row({0., 0.});
+    table.add_row({1., 3.});
+    HistoryFigure figure;
+    figure.column = "taken by the driven speed damping";
+    check_close("a column by its former name", figure.compute(table).value, 3., 0.);
+  }
+
   /** Rows over speed, up and down. */
   void over_speed()
   {
@@ -252,6 +265,7 @@ int main()
   values();
   single_values();
   cut_off();
+  former_name();
   over_speed();
   shares_of_meshes();
   trend();

@@ -18,7 +18,7 @@ namespace
     Table table;
     table.add_text_column("axes");
     table.add_column("frequency", "Hz");
-    table.add_column("share of the static turn", "-");
+    table.add_column("share of the static rotation", "-");
     table.add_row({axes, 1000., 1.});
     table.add_row({axes, 4000., .01});
     return table;

@@ -158,8 +158,8 @@ namespace
     for (std::size_t i = 0; i < 4; ++i)
       {
         check("numbered", modes.numbers("mode")[i] == i + 1);
-        shares += modes.numbers("share of the static turn")[i];
-        if (modes.numbers("share of the static turn")[i] > .5)
+        shares += modes.numbers("share of the static rotation")[i];
+        if (modes.numbers("share of the static rotation")[i] > .5)
           apart = modes.numbers("frequency")[i] / (std::sqrt(stiffness / inertia) / (2 * pi)) - 1;
       }
     check_below("swing over one inertia on one spring, less one", apart, .1);
@@ -203,7 +203,7 @@ namespace
               std::vector<std::string>({"turning", "turning", "standing"}) &&
             table.numbers("mode") == std::vector<double>({1, 2, 1}));
     check("table: each number in its column",
-          value("frequency") == 101 && value("share of the static turn") == .02 &&
+          value("frequency") == 101 && value("share of the static rotation") == .02 &&
             value("energy in the gear") == .03 && value("nodal diameter of the gear") == 4 &&
             value("share of the diameter") == .05 && value("axial") == .06 &&
             value("radial") == .07 && value("tangential") == .08 &&

@@ -44,8 +44,9 @@ end
     double tension_after = 0; ///< where the tension is
   };
 
-  Extremes
-  find_extremes(const Table &table, const std::string &body, const char *after = "after the mesh")
+  Extremes find_extremes(const Table       &table,
+                         const std::string &body,
+                         const char        *after = "position after the mean contact")
   {
     Extremes extremes;
     for (std::size_t i = 0; i < table.n_rows(); ++i)
@@ -133,7 +134,8 @@ end
     check("two sections are the face of 30 mm", ends);
     for (const char *body : {"pinion", "gear"})
       {
-        const Extremes of_sections = find_extremes(sections, body, "tension after the mesh");
+        const Extremes of_sections =
+          find_extremes(sections, body, "tension after the mean contact");
         check(std::string(body) + ": the largest of sections, and when, as rows",
               of_sections.tension == find_extremes(stress, body).tension &&
                 of_sections.tension_after == find_extremes(stress, body).tension_after);
@@ -145,7 +147,7 @@ end
     const Table gauges = read_result_table("root_stress_results/gauges.csv");
     check("gauge: a row a position and tooth", gauges.n_rows() == 2 * 79);
     std::set<double> places;
-    for (const double after : gauges.numbers("after the mesh"))
+    for (const double after : gauges.numbers("position after the mean contact"))
       places.insert(std::round(1e6 * after));
     check("gauge: each place once, over a whole turn",
           places.size() == 2 * 79 && *places.begin() >= -39.5e6 && *places.rbegin() < 39.5e6);

@@ -58,10 +58,12 @@ namespace
     close("model", "torque on the gear", 800); // N m
     close("model", "gear inertia", 20000);     // kg mm^2
     close("model", "pinion inertia", 300);
-    close("model", "inertia of the swing, at the gear", 20000); // the pinion turns as prescribed
+    close("model",
+          "inertia of the torsional mode, at the gear",
+          20000); // the pinion turns as prescribed
     close("model", "mesh stiffness, mean at the torque", 2.2e6);
-    close("model", "arm", 90);
-    close("model", "backlash, turn of the gear", 300);
+    close("model", "lever arm", 90);
+    close("model", "backlash angle of the gear", 300);
     close("response", "speed", 3000);
     close("response", "mean dte", 11);
     close("response", "rms dte", 12);
@@ -70,7 +72,7 @@ namespace
     close("response", "rms force", 15);
     close("response", "peak to peak force", 16);
     close("response", "losses of contact", 18);
-    close("response", "time apart", .19);
+    close("response", "time without contact", .19);
     close("response", "time on coast flanks", .2);
     close("response", "energy error", .21);
     // The pinion's speeds at which harmonics 1, 2, 3 of 27 teeth meet the swing.
@@ -170,12 +172,12 @@ int main(int argc, char **argv)
               2e3);
   // 0.12 mm along the normal at the mean point; the arms of both sides differ a little.
   check_close("backlash of the pair [arcsec]",
-              number(pair, "model", "backlash, turn of the gear") * arcsecond,
-              .12 / number(pair, "model", "arm"),
+              number(pair, "model", "backlash angle of the gear") * arcsecond,
+              .12 / number(pair, "model", "lever arm"),
               2e-2 * .12 / 90);
   check_close("arm of the pair: force under the torque [N]",
               number(pair, "response", "mean force"),
-              8e5 / number(pair, "model", "arm"),
+              8e5 / number(pair, "model", "lever arm"),
               .01 * 8e5 / 90);
   check_below("energy error", number(pair, "response", "energy error"), 1e-6);
 

@@ -30,7 +30,7 @@ namespace
 
   void check_figures(const nlohmann::json &json)
   {
-    const nlohmann::json &drive = json.at("drive"), &hand_over = drive.at("hand-over"),
+    const nlohmann::json &drive = json.at("drive"), &hand_over = drive.at("transfer point"),
                          &path = drive.at("path"), &working = json.at("working");
     // The lag falls to zero at the mean contact and rises to that of the hand-over on either side.
     check_close("peak to peak [arcsec]",
@@ -50,14 +50,14 @@ namespace
       {
         const nlohmann::json &beyond = drive.at(at_end ? "beyond the end" : "beyond the start");
         const double          p      = value(path, at_end ? "end" : "start");
-        check_close("edge takes over at the path's end",
-                    value(beyond, "edge takes over at"),
+        check_close("edge contact starts at the path's end",
+                    value(beyond, "edge contact starts at"),
                     p,
                     1e-12);
         check_close("lag there [arcsec]", value(beyond, "lag"), reference_lag(p), .02);
         // Meanwhile the pair a pitch nearer to the middle carries.
-        check_close("approach before it carries [arcsec]",
-                    value(beyond, "approach before it carries"),
+        check_close("approach before edge contact [arcsec]",
+                    value(beyond, "approach before edge contact"),
                     reference_lag(p) - reference_lag(at_end ? p - 1 : p + 1),
                     .02);
       }
@@ -186,8 +186,11 @@ int main(int argc, char **argv)
   // inside the true one; its place of the hand-over is rounded to 5e-4 pitches, over which the lag
   // changes by 3.5e-3.
   check_close("contact ratio", value(drive.at("path"), "contact ratio"), 1.97, 0.01);
-  check_close("hand-over [pitches]", value(drive.at("hand-over"), "place"), 0.487, 5e-4);
-  check_close("lag at the hand-over [arcsec]", value(drive.at("hand-over"), "lag"), 1.795, 4e-3);
+  check_close("transfer point [pitches]", value(drive.at("transfer point"), "place"), 0.487, 5e-4);
+  check_close("lag at the transfer point [arcsec]",
+              value(drive.at("transfer point"), "lag"),
+              1.795,
+              4e-3);
   check_close("semi-axis a [mm]",
               value(drive.at("ellipse at the mean contact"), "semi-axis a"),
               5.583,

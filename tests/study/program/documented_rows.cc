@@ -267,11 +267,14 @@ namespace
       });
     std::size_t n = 0;
     for (std::size_t i = 0; i < table.n_rows(); ++i)
-      if (axes->texts[i] == "standing" && table.numbers("share of the static turn")[i] > 0.04)
+      if (axes->texts[i] == "standing" && table.numbers("share of the static rotation")[i] > 0.04)
         {
           const std::string name = "mode " + std::to_string(n / 2 + 1);
           compare(name + " [Hz]", row[1], n++, table.numbers("frequency")[i]);
-          compare(name + " [%]", row[1], n++, 100 * table.numbers("share of the static turn")[i]);
+          compare(name + " [%]",
+                  row[1],
+                  n++,
+                  100 * table.numbers("share of the static rotation")[i]);
         }
     check("  all of them", n == numbers_in(row[1]).size());
   }
@@ -292,7 +295,7 @@ namespace
     start({});
 
     auto row = row_of(paper, "## Claims", "contact force hardly depends on thickness");
-    compare("torque over arm [N]", row[2], 0, figure("figures", "torque over effective arm"));
+    compare("torque over arm [N]", row[2], 0, figure("figures", "torque over effective lever arm"));
 
     row = row_of(paper, "## Where the transmission error", "70 | -84.3");
     compare("transmission error at the start [arcsec]", row[1], 0, part("total at the start"));

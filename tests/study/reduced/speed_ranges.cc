@@ -187,7 +187,7 @@ namespace
     check_close("transmission errors without fast ones", found.pp_error, 199., .5);
     check_close("teeth on the other side", found.time_coast, .5, 1e-12);
     check("contact lost once, with all vibrations", found.losses == 1);
-    check_close("time apart", found.time_apart, 1. / 200, 1e-12);
+    check_close("time without contact", found.time_apart, 1. / 200, 1e-12);
     check_close("waves move with the samples", response.wave(1).second, 99.5, 1e-12);
     check_close("largest force", found.largest_force, 9., 1e-1);
     check_close("slow stresses with all they have", response.largest_stress(0), 7., 1e-1);

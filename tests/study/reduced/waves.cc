@@ -219,7 +219,7 @@ end
     for (std::size_t m = 0; m < low.at("speed").size(); ++m)
       if (low.at("share of the turn")[m] > .5)
         swing[int(low.at("mesh order")[m])] = low.at("speed")[m];
-    check("the swing meets the first and the second order",
+    check("the torsional mode meets the first and the second order",
           swing.count(1) == 1 && swing.count(2) == 1);
     check_close("at speeds in the ratio of the orders", swing[1] / swing[2], 2., 2e-2);
   }

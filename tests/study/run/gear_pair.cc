@@ -106,15 +106,15 @@ namespace
              world,
              {"Contact/integration=explicit", "Dynamics/maximum number of steps=1"});
     check_close("lag of the penalty springs [arcsec]",
-                part("penalty springs, in teeth and rest") /
+                part("penalty compliance, in teeth and rest") /
                   (-2 * read_columns("gear_pair_explicit/history.csv")["contact energy"].front() /
                    800e3 / arcsecond),
                 1.,
                 1e-3);
     const double stiffness = value_of(summary, "figures", "torsional stiffness"),
-                 inertia   = value_of(summary, "figures", "inertia of the swing");
+                 inertia   = value_of(summary, "figures", "inertia of the torsional mode");
     check_close("swing frequency over sqrt(k/J)/(2 pi)",
-                value_of(summary, "figures", "swing frequency, estimated") * 2 * pi /
+                value_of(summary, "figures", "torsional mode frequency, estimated") * 2 * pi /
                   std::sqrt(stiffness / inertia),
                 1.,
                 1e-12);
@@ -172,8 +172,8 @@ int main(int argc, char **argv)
   const auto &torque = columns["contact torque on the gear"];
   check_close("contact torque at the start [N m]", torque.front(), 800., 1.);
   check_close("torque over effective arm [N]",
-              value_of(summary, "figures", "torque over effective arm") *
-                value_of(summary, "figures", "effective arm"),
+              value_of(summary, "figures", "torque over effective lever arm") *
+                value_of(summary, "figures", "effective lever arm"),
               800e3,
               1e-6);
   start(summary, columns, session.world());

@@ -82,7 +82,8 @@ namespace
 
   void check_passage(const std::string &probe)
   {
-    const auto   loaded = curve_of("passage_loaded/loaded_probes.csv", probe, "after the mesh");
+    const auto loaded =
+      curve_of("passage_loaded/loaded_probes.csv", probe, "position after the mean contact");
     const auto   record = curve_of("passage_run/probes.csv", probe, "time");
     const auto   found  = read_probe("passage_run", probe);
     const double before = passage("passage_run", probe), largest = largest_in(loaded);
@@ -109,11 +110,11 @@ namespace
     // After one step the copies are still in the equilibrium of the start; the peak is flat.
     const auto start = read_probe("passage_start", probe);
     check_close(probe + ": the summary's largest of a turn over the static one",
-                number(start, "largest of a turn") / largest,
+                number(start, "largest per revolution") / largest,
                 1.,
                 0.01);
     check_close(probe + ": the static stress where the summary puts it",
-                nearest(loaded, number(start, "after the mesh")) / largest,
+                nearest(loaded, number(start, "position after the mean contact")) / largest,
                 1.,
                 0.01);
     check(probe + ": one step has no peak", !start.at("the record has the peak").get<bool>());

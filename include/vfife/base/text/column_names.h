@@ -35,7 +35,8 @@ namespace vfife
     constexpr char displacement[] = "displacement";
     constexpr char stress[]       = "stress";
     constexpr char von_mises[]    = "von mises";
-    constexpr char after_mesh[] = "after the mesh"; ///< place of a probe, from the mean contact on
+    /** Of a probe, a tooth or a tooth pair: mesh cycles since it was at the mean contact. */
+    constexpr char after_mean_contact[] = "position after the mean contact";
 
     // Root stresses.
     constexpr char fillet[]      = "fillet"; ///< "concave" or "convex"
@@ -56,21 +57,21 @@ namespace vfife
     constexpr char tangent_stiffness[]           = "tangent stiffness";
 
     // Natural vibrations.
-    constexpr char speed[]                = "speed";
-    constexpr char mesh_frequency[]       = "mesh frequency";
-    constexpr char frequency[]            = "frequency";
-    constexpr char axes[]                 = "axes"; ///< in which they are seen, axes_of_modes
-    constexpr char share_of_static_turn[] = "share of the static turn";
-    constexpr char damping_ratio[]        = "damping ratio";
+    constexpr char speed[]                    = "speed";
+    constexpr char mesh_frequency[]           = "mesh frequency";
+    constexpr char frequency[]                = "frequency";
+    constexpr char axes[]                     = "axes"; ///< in which they are seen, axes_of_modes
+    constexpr char share_of_static_rotation[] = "share of the static rotation";
+    constexpr char damping_ratio[]            = "damping ratio";
 
     // Responses of the lumped model, also as figures of lumped.json.
-    constexpr char direction[]          = "direction"; ///< of a sweep: "up" or "down"
-    constexpr char mean_dte[]           = "mean dte";
-    constexpr char peak_to_peak_dte[]   = "peak to peak dte";
-    constexpr char mean_force[]         = "mean force";
-    constexpr char peak_to_peak_force[] = "peak to peak force";
-    constexpr char largest_force[]      = "largest force";
-    constexpr char time_apart[]         = "time apart";
+    constexpr char direction[]            = "direction"; ///< of a sweep: "up" or "down"
+    constexpr char mean_dte[]             = "mean dte";
+    constexpr char peak_to_peak_dte[]     = "peak to peak dte";
+    constexpr char mean_force[]           = "mean force";
+    constexpr char peak_to_peak_force[]   = "peak to peak force";
+    constexpr char largest_force[]        = "largest force";
+    constexpr char time_without_contact[] = "time without contact";
 
     // Stresses of a sweep over speed.
     constexpr char place[]         = "place"; ///< a probe or a fillet of the driven body

@@ -35,9 +35,9 @@ namespace vfife
     constexpr char probes[]             = "/probes"; ///< by name
 
     // Of a probe.
-    constexpr char passes_mesh[]     = "passes the mesh"; ///< [s]
-    constexpr char largest_of_turn[] = "largest of a turn";
-    constexpr char median_of_turn[]  = "median of a turn";
+    constexpr char passes_mesh[]           = "passes the mesh"; ///< [s]
+    constexpr char largest_of_revolution[] = "largest per revolution";
+    constexpr char median_of_revolution[]  = "median per revolution";
 
     /** When a probe passes the mesh. */
     std::string passage_of(const std::string &probe);
@@ -59,14 +59,14 @@ namespace vfife
   /** Figures of the run of a gear pair. */
   namespace figure_name
   {
-    constexpr char mesh_frequency[]  = "mesh frequency";
-    constexpr char swing_frequency[] = "swing frequency, estimated";
-    constexpr char effective_arm[]   = "effective arm"; ///< of the unloaded mean contact
-    constexpr char least_arm[]       = "least arm on the path of contact";
-    constexpr char largest_arm[]     = "largest arm on the path of contact";
+    constexpr char mesh_frequency[]      = "mesh frequency";
+    constexpr char torsional_frequency[] = "torsional mode frequency, estimated";
+    constexpr char effective_arm[]       = "effective lever arm"; ///< of the unloaded mean contact
+    constexpr char least_arm[]           = "least lever arm on the path of contact";
+    constexpr char largest_arm[]         = "largest lever arm on the path of contact";
     /** That the ripple needs to be steady. */
     constexpr char steady_meshes[] = "mesh cycles that a steady ripple needs";
-    constexpr char force_on_arm[]  = "torque over effective arm"; ///< of the contact
+    constexpr char force_on_arm[]  = "torque over effective lever arm"; ///< of the contact
 
     /** Of a reduced pair: the strongest mesh order above half the cut-off, and its peak to peak
      * value in the transmission error, where this is a noticeable part. */

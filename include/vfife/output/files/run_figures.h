@@ -43,7 +43,7 @@ namespace vfife
   void write_own_figures(const OutputFolder &folder, const NamedFigures &figures);
 
   /** Figures by names that depend on the case, of the folder of each: those of figures.json, of
-   * summary.json root stresses and stresses of probes over a turn. All cases with the same names
+   * summary.json root stresses and stresses of probes per revolution. All cases with the same names
    * and units: NaN where one has no such figure. */
   std::vector<NamedFigures> read_own_figures(const std::vector<std::string> &folders);
 } // namespace vfife

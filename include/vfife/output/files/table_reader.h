@@ -10,7 +10,8 @@ namespace vfife
 {
   /**
    * Reads a .csv file of results, as Table::write_csv() has written it: columns with a unit are
-   * numbers (not a number where a cell is empty), the others texts.
+   * numbers (not a number where a cell is empty), the others texts. Former names of columns are
+   * replaced by present ones (former_result_names.h).
    * @throws InputError where the file cannot be read, rows have other numbers of cells, or a cell
    * is no number.
    */

@@ -18,8 +18,8 @@ namespace vfife
 
   /**
    * teeth.csv, long format: one line a sample and tooth pair in contact: its force, torque, area
-   * and pressures (doc/reference/files.md, Columns). Models without a gear pair have slave group
-   * and master group instead of the teeth.
+   * and pressures (doc/reference/files.md, Columns). Models without a gear pair have groups of
+   * facets of the slave and of the master surface instead of the teeth.
    */
   class TeethWriter : public SampledTable<ToothSample>
   {

@@ -72,7 +72,7 @@ namespace vfife
                                        const ContactMeeting      &meeting,
                                        const std::vector<double> &rates);
 
-  /** "n = 3 forward"; "swing" where most of it is the rigid turn. */
+  /** "n = 3 forward"; "torsional mode" where most of it is the rigid turn. */
   std::string describe_wave(const ContactMeeting &meeting);
 
   /** waves_in_contact.csv: a row a meeting. @p gains: of the rim's axial wave with that many

@@ -50,7 +50,7 @@ namespace vfife
     /** For tables of several analyses. */
     NamedFigures list_figures() const;
 
-    /** {"edges carry": , "explanation": , figures} */
+    /** {"edge contact": , "explanation": , figures} */
     Json json() const;
 
   private:

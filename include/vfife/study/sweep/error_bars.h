@@ -50,13 +50,13 @@ namespace vfife
   /** Whether two variants differ by more than their errors. */
   enum class Verdict
   {
-    told_apart,     ///< the difference is larger than the sum of both errors
-    order_told,     ///< than the error of the difference alone: which one is larger is known
-    not_told_apart, ///< neither
-    not_known       ///< a value or an error is missing
+    significant,      ///< the difference is larger than the sum of both errors
+    sign_significant, ///< than the error of the difference alone: which one is larger is known
+    not_significant,  ///< neither
+    not_known         ///< a value or an error is missing
   };
 
-  /** "told apart", "order told", "not told apart", "not known". */
+  /** "significant", "sign significant", "not significant", "not known". */
   std::string word_for(Verdict verdict);
 
   Verdict

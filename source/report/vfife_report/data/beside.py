@@ -7,7 +7,7 @@ import numpy as np
 from .parameters import read_parameters
 from .table import Table
 
-LEAST_SHARE = 0.02  # of a mode in the static turn of the gear, as in comparisons (doc/reference/sweep-and-compare.md)
+LEAST_SHARE = 0.02  # of a mode in the static rotation of the gear, as in comparisons (doc/reference/sweep-and-compare.md)
 
 
 @dataclass
@@ -15,7 +15,7 @@ class Modes:
     """Natural frequencies [Hz] of the pair in contact that turn the gear, at one speed."""
     speed: str
     frequencies: np.ndarray
-    shares: np.ndarray  # of the static turn
+    shares: np.ndarray  # of the static rotation
 
 
 @dataclass
@@ -46,8 +46,8 @@ def read_response(folder):
 def read_modes(folder):
     """Those that stand in space where there are any: the load does."""
     table = Table(folder / "coupled_modes.csv")
-    rows = table["share of the static turn"] > LEAST_SHARE
+    rows = table["share of the static rotation"] > LEAST_SHARE
     if np.any(table["axes"] == "standing"):
         rows &= table["axes"] == "standing"
     return Modes(read_parameters(folder).get("Operation/speed", ""), table["frequency"][rows],
-                 table["share of the static turn"][rows])
+                 table["share of the static rotation"][rows])

@@ -19,7 +19,7 @@ class QuantityErrors:
     errors: np.ndarray
     parts: dict  # numerical parameter -> errors by it alone
     methods: list
-    verdicts: dict  # (variant, other variant) -> "told apart", "order told", "not told apart", "not known"
+    verdicts: dict  # (variant, other variant) -> "significant", "sign significant", "not significant", "not known"
 
     def list_others(self, variant, verdict):
         """Variants that have this verdict with one."""
@@ -27,7 +27,7 @@ class QuantityErrors:
                 if word == verdict and variant in (a, b)]
 
     def is_constant(self):
-        """Whether there is nothing to be told apart."""
+        """Whether all values are the same."""
         known = self.values[np.isfinite(self.values)]
         return len(known) == 0 or np.ptp(known) == 0
 

@@ -2,6 +2,7 @@
 """Files of results as text and JSON; one that is damaged is named with the place in it."""
 import json
 
+from .former_names import Named
 from .shapes import find_mistake
 
 
@@ -27,9 +28,10 @@ def read_text(path):
 
 
 def read_json(path, shape):
-    """The content of a .json file, which has this shape (shapes.py)."""
+    """The content of a .json file, which has this shape (shapes.py), by present names."""
     try:
-        content = json.loads(read_text(path), parse_constant=refuse_constant)
+        content = json.loads(read_text(path), parse_constant=refuse_constant,
+                             object_pairs_hook=lambda members: Named(path.name, members))
     except json.JSONDecodeError as error:
         raise DamagedFile(f"{path}:{error.lineno}:{error.colno}: the file is damaged, this is no JSON") from error
     except (OverflowError, RecursionError) as error:

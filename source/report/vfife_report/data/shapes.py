@@ -32,11 +32,11 @@ SUMMARY = {
              "instruction set?": str},
     "steady part?": {"start": {"value": float, "unit": str}, "end": {"value": float, "unit": str}, "found": bool,
                      "mesh cycles": COUNT, "explanation": str, "ripple?": {"judged": bool, "steady": bool}, "columns?": Each(STATISTICS)},
-    "damping audit?": [{"body": str, "net torque": QUANTITY, "power": QUANTITY, "spin drift": QUANTITY}],
+    "damping audit?": [{"body": str, "net torque": QUANTITY, "power": QUANTITY, "drift of rotation speed": QUANTITY}],
     "contact losses?": {"count": COUNT},
-    "contradictions?": [str], "warnings?": [str]}
+    "input conflicts?": [str], "warnings?": [str]}
 STATED = Each(QUANTITY)  # figures.json
-EDGE_CONTACT = {"edges carry": bool, "explanation": str}
+EDGE_CONTACT = {"edge contact": bool, "explanation": str}
 # Members have one entry that is a word.
 GEOMETRY = {"pair": Each(QUANTITY), "pinion": {"hand of spiral": str}, "gear": {"hand of spiral": str}}
 PARAMETERS = Each({"value": str, "unit": str})
@@ -46,8 +46,8 @@ COMPARISON = {"title?": str, "cases?": [{"name": str, "kind": str, "folder": str
 # Of a tooth contact analysis: groups of a side hold quantities, words and flags.
 _SIDE = {"mean contact on the generated pinion flank": Each(QUANTITY), "mean contact on the generated gear flank": Each(QUANTITY),
          "ellipse at the mean contact": Each(QUANTITY), "path": {}, "beyond the start": {"border": str},
-         "beyond the end": {"border": str}, "lag over pitches": Each(QUANTITY), "hands over": bool,
-         "hands over inside the flanks": bool, "hand-over?": Each(QUANTITY)}
+         "beyond the end": {"border": str}, "lag over pitches": Each(QUANTITY), "has a transfer point": bool,
+         "transfer point inside the flanks": bool, "transfer point?": Each(QUANTITY)}
 _SECTIONS = {"toe": Each(QUANTITY), "middle": Each(QUANTITY), "heel": Each(QUANTITY)}
 CONTACT_ANALYSIS = {"working": {"driving member": str, "direction of rotation": str, "side": str},
                     "drive?": _SIDE, "coast?": _SIDE, "unequal teeth?": Each(QUANTITY),

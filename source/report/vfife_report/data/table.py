@@ -6,6 +6,7 @@ import io
 import numpy as np
 
 from .files import DamagedFile, read_text
+from .former_names import Named, present_name
 from .shapes import LARGEST
 
 
@@ -16,7 +17,8 @@ def write_persons(name):
 
 class Table:
     """Columns of a .csv file by name: numbers where the header states a unit, else texts, or numbers where all are;
-    `units` holds what stands in the header's brackets. DamagedFile with line and column where it cannot be read."""
+    `units` holds what stands in the header's brackets. Present names replace former ones of columns and of words in cells.
+    DamagedFile with line and column where it cannot be read."""
 
     def __init__(self, path):
         self.path = path
@@ -31,13 +33,15 @@ class Table:
         for line, row in rows[1:]:
             if len(row) != width:
                 raise DamagedFile(f"{path}:{line}: {len(row)} cells, but the header has {width}")
-        self.columns, self.units = {}, {}
+        self.columns, self.units = Named(path.name), Named(path.name)
         for position, header in enumerate(headers):
             name, bracket, unit = header.partition(" [")
+            name = present_name(path.name, name)
             if name in self.columns:
                 raise DamagedFile(f'{path}:1: there is a second column "{name}"')
             cells = [row[position] for _, row in rows[1:]]
-            self.columns[name] = self.read_numbers(name, cells) if bracket else guess_kind(cells)
+            self.columns[name] = self.read_numbers(name, cells) if bracket else guess_kind(
+                [present_name(path.name, cell) for cell in cells])
             self.units[name] = unit.rstrip("]")
         self.n_rows = len(rows) - 1
 

@@ -46,18 +46,18 @@ def list_checks(run):
     if pressure is not None and allowed:
         yield "contact pressure (Hertz)", f"{pressure:.0f} MPa", f"{allowed:.0f} MPa", judge(pressure <= allowed)
     if run.edge_contact:
-        carry = run.edge_contact["edges carry"]
+        carry = run.edge_contact["edge contact"]
         yield "contact inside the flanks", "edge contact" if carry else "no edge contact", "no edge contact", judge(not carry)
     elif run.teeth is not None and name_driven(run.parameters) == "pinion":
         yield "contact inside the flanks", "not available for a driving gear", "no edge contact", "not judged"
-    taken = summary.get("energy", {}).get("taken by the driven speed damping from the swing")
+    taken = summary.get("energy", {}).get("removed by the driven speed damping from the torsional mode")
     if taken and taken["value"] is not None and describe_pair(run.parameters):
         yield "driven speed damping: energy removed from the torsional mode", f"{taken['value']:.3g} mJ", "not negative", judge(taken["value"] >= 0)
     losses = summary.get("contact losses")
     if losses and (run.value("mesh frequency") or run.changes_speed()):
         yield "losses of contact", str(losses["count"]), "0", judge(losses["count"] == 0)
-    if "contradictions" in summary:
-        count = len(summary["contradictions"])
+    if "input conflicts" in summary:
+        count = len(summary["input conflicts"])
         yield "input conflicts", str(count), "0", judge(count == 0)
 
 

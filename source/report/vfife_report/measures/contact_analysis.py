@@ -11,7 +11,7 @@ _GROUPS = (("mean contact on the generated pinion flank", "mean contact on the p
            ("mean contact on the generated gear flank", "mean contact on the gear", ("L", "h")),
            ("ellipse at the mean contact", "ellipse", ("semi-axis a", "semi-axis b", "major axis to the lengthwise direction")),
            ("path", "path of contact", ()), ("beyond the start", "before the path", ()), ("beyond the end", "beyond the path", ()),
-           ("lag over pitches", "lag of the gear over pitches", ()), ("hand-over", "transfer point", ()))
+           ("lag over pitches", "lag of the gear over pitches", ()), ("transfer point", "transfer point", ()))
 _PLACES = ("toe", "middle", "heel")
 FORMS_HEADER = ["teeth", "unit", *(f"{member}, {place}" for member in ("pinion", "gear") for place in _PLACES)]
 

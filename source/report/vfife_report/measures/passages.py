@@ -51,7 +51,7 @@ def find_passages(run):
         rows = run.probes["probe"] == name
         turn = run.summary.get("probes", {}).get(name)
         passage = find_passage(run.probes["time"][rows], run.probes["von mises"][rows],
-                               turn["median of a turn"]["value"] if turn else None)
+                               turn["median per revolution"]["value"] if turn else None)
         if passage:
             yield name, passage
 

@@ -66,11 +66,11 @@ def list_probe_quantities(run):
     for name, passage in find_passages(run):
         yield f"{name}, peak von Mises stress", passage.peak, "MPa"
         yield f"{name}, least von Mises stress", passage.least, "MPa"
-        # A record of a part of a turn has a median of its own: that of all sectors is no matter of it.
+        # A record of a part of a revolution has a median of its own, not that of all sectors.
         turn = run.summary.get("probes", {}).get(name)
         if turn:
-            yield f"{name}, largest von Mises stress of one rotation", turn["largest of a turn"]["value"], "MPa"
-            yield f"{name}, median von Mises stress of one rotation", turn["median of a turn"]["value"], "MPa"
+            yield f"{name}, largest von Mises stress of one rotation", turn["largest per revolution"]["value"], "MPa"
+            yield f"{name}, median von Mises stress of one rotation", turn["median per revolution"]["value"], "MPa"
         else:
             yield f"{name}, steady von Mises stress", passage.steady, "MPa"
         if passage.whole:

@@ -33,7 +33,7 @@ def bars_range(one):
     if len(known) < len(one.errors) and len(known):
         accuracy += f" ({len(one.errors) - len(known)} unknown)"
     if words:
-        accuracy += (f"; {words.count('told apart')} of {len(words)} differences significant, {words.count('order told')} only by "
+        accuracy += (f"; {words.count('significant')} of {len(words)} differences significant, {words.count('sign significant')} only by "
                      "their sign")
     return make_range(one.name, one.unit, one.variants, one.values, accuracy)
 

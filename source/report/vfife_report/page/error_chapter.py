@@ -41,7 +41,7 @@ def tell_error_bars(study, plots):
         rows = [[number[variant], variant, format_with_error(one.values[k], one.errors[k])]
                 + [float(errors[k]) for errors in one.parts.values()]
                 + [", ".join(number[other] for other in one.list_others(variant, word)) or NONE
-                   for word in ("order told", "not told apart")]
+                   for word in ("sign significant", "not significant")]
                 + [one.methods[k]] for k, variant in enumerate(one.variants)]
         yield Cells(["", "variant", f"{one.name}{unit}"] + [f"error by {name}" for name in one.parts]
                     + ["only the sign of the difference is significant", "no significant difference", "method"], rows,

@@ -96,9 +96,9 @@ def tell_unloaded_contact(run, plots):
         if side not in analysis:
             yield Paragraph(f"On the {side} side the flanks have no contact inside their borders in the given mounting. Only edge contact "
                             "is possible.", "alarm")
-        elif not analysis[side]["hands over"]:
+        elif not analysis[side]["has a transfer point"]:
             yield Paragraph(f"On the {side} side contact is interrupted before the next tooth pair engages.", "alarm")
-        elif not analysis[side]["hands over inside the flanks"]:
+        elif not analysis[side]["transfer point inside the flanks"]:
             yield Paragraph(f"On the {side} side the path of contact ends before the next tooth pair engages. An edge is in contact "
                             "in between.", "alarm")
     yield Cells(["unequal teeth", "value", "unit"], list_values(analysis.get("unequal teeth", {})),
@@ -119,7 +119,7 @@ def tell_loaded_contact(run, plots):
                         "between them, so peak to peak and largest values increase with Loaded contact/positions.", "soft")
     table = read_table(run.path / "coupled_modes.csv")
     if table is not None:
-        yield tell_rows(table, ("axes", "frequency", "share of the static turn", "energy in the gear",
+        yield tell_rows(table, ("axes", "frequency", "share of the static rotation", "energy in the gear",
                                 "nodal diameter of the gear", "share of the diameter"), range(table.n_rows),
                         "Coupled modes of the loaded pair at the reference position. Axes are \"turning\" in the rotating frame and "
                         "\"standing\" in the fixed frame of the load. Modes with a share of the static rotation contribute to the "
@@ -135,7 +135,7 @@ def tell_grid_pressure(run, plots):
             "an edge.")
     if table.n_rows > SHOWN_PRESSURES:
         text += f" The table shows {SHOWN_PRESSURES} of {table.n_rows} rows of pressure.csv."
-    yield tell_rows(table, ("position", "pinion tooth", "gear tooth", "after the mesh", "force", "largest pressure inside",
+    yield tell_rows(table, ("position", "pinion tooth", "gear tooth", "position after the mean contact", "force", "largest pressure inside",
                             "largest pressure", "on edge", "contact width", "contact length"),
                     range(min(table.n_rows, SHOWN_PRESSURES)), text)
 

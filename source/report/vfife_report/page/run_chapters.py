@@ -72,7 +72,7 @@ def tell_transmission_error(run, plots):
 def tell_contact(run, plots):
     if run.edge_contact:
         text = run.edge_contact["explanation"]
-        yield Paragraph(text[0].upper() + text[1:] + ".", "alarm" if run.edge_contact["edges carry"] else "")
+        yield Paragraph(text[0].upper() + text[1:] + ".", "alarm" if run.edge_contact["edge contact"] else "")
     yield from plots
 
 
@@ -136,7 +136,7 @@ def tell_energy(run, plots):
     # A model without a gear pair has few of the parts.
     yield Cells(["energy balance", "value", "unit"], rows if has_pair(run) else [row for row in rows if row[1]])
     yield Cells(["damped body", "net torque [N m]", "power [W]", "spin at the end minus spin at the start [rpm]"],
-                [[a["body"]] + [a[name]["value"] for name in ("net torque", "power", "spin drift")]
+                [[a["body"]] + [a[name]["value"] for name in ("net torque", "power", "drift of rotation speed")]
                  for a in run.summary.get("damping audit", []) if a["net torque"]["value"] or a["power"]["value"]],
                 "Net torque about the axis and power of the damping forces on each body. The spin is the mean of the whole mass, so "
                 "it includes the torsional vibration of the instant.")

@@ -35,7 +35,7 @@ def tell_variants(study, plots):
     yield Cells(["geometry of all variants", "unit", "pinion", "gear"], alike,
                 "Values are given, derived or proposed. The first rows are for the pair as a whole.", digits=EXACT)
     yield Cells(["geometry", "variant", "unit", "pinion", "gear"], different, "Geometry that differs between variants.", digits=EXACT)
-    edges = [v.name for v in study.variants if v.run.edge_contact and v.run.edge_contact["edges carry"]]
+    edges = [v.name for v in study.variants if v.run.edge_contact and v.run.edge_contact["edge contact"]]
     if edges:
         yield Paragraph(f"These variants have edge contact: {'; '.join(edges)}. The report of each variant states the forces.", "alarm")
     yield from tell_findings(study)

@@ -23,7 +23,7 @@ ROWS = (("operating speed of the pinion", "Operation/speed"),
         ("friction coefficient", "Contact/friction coefficient"),
         ("element frame, stiffness", "Dynamics/corotational frame", "Dynamics/element type"))
 # Groups of the summary, and what readers call an entry of each.
-FINDINGS = (("contradictions", "input conflict"), ("warnings", "warning"))
+FINDINGS = (("input conflicts", "input conflict"), ("warnings", "warning"))
 RECORD_ONLY = "Its values hold for this record; half of the record gives other values."
 ERRORS = ("Gear pair/Mounting/", "Gear pair/Errors/")
 DESIGNED = ("Gear pair/Mounting/shaft angle", "Gear pair/Mounting/backlash")  # of the table of the geometry

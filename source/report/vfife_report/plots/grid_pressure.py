@@ -10,8 +10,8 @@ SHOWN_POSITIONS = 4  # positions whose flanks are shown
 
 def draw_pressure(run):
     table = Table(run.path / "pressure.csv")
-    order = np.argsort(table["after the mesh"], kind="stable")
-    after = table["after the mesh"][order]
+    order = np.argsort(table["position after the mean contact"], kind="stable")
+    after = table["position after the mean contact"][order]
     plot, (left, right) = plt.subplots(1, 2, figsize=(10, 4))
     inside = table["largest pressure inside"][order]
     left.plot(after, np.where(inside > 0, inside, np.nan), "o-", color=COLOURS[0], label="inside the flank")

@@ -147,7 +147,7 @@ def draw_energies(run):
     above.set_ylabel("energy error [%]")
     above.set_title("Residual of the energy balance over the largest energy exchanged so far")
     shown = ("strain energy", "contact energy", "relative kinetic energy", "damping loss",
-             "taken by the driven speed damping", "driven speed damping loss", "contact loss")
+             "removed by the driven speed damping", "driven speed damping loss", "contact loss")
     for number, name in enumerate(n for n in shown if n in history and np.any(history[n])):
         change = history[name] - history[name][0]
         below.plot(time, change, color=COLOURS[number % len(COLOURS)],

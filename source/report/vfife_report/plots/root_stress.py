@@ -7,7 +7,7 @@ from matplotlib.colors import Normalize
 from ..data.table import Table
 from .style import COLOURS, SIGNED_MAP, add_legend, plt
 
-AFTER = "after the mesh"
+AFTER = "position after the mean contact"
 SHOWN = 4  # mesh cycles on either side of the mean contact
 
 
@@ -32,7 +32,7 @@ def list_root_stresses(envelope):
 
 
 def extremes(table, rows):
-    """Largest tension and compression by the place after the mesh (places that round-off tells apart are one)."""
+    """Largest tension and compression by the position after the mean contact (positions that differ by round-off are one)."""
     places = np.round(table[AFTER][rows], 6)
     at = np.unique(places)
     tension = [table["tension"][rows][places == place].max() for place in at]

@@ -37,14 +37,14 @@ def draw_reduced_response(run):
 def draw_wave_response(run):
     """Waves of the rim without their stationary part, a panel each number of diameters."""
     waves = Table(run.path / "wave_response.csv")
-    numbers = [n for n in range(1, 100) if f"running wave {n}" in waves]
+    numbers = [n for n in range(1, 100) if f"travelling wave {n}" in waves]
     plot, panels = plt.subplots(len(numbers), 1, sharex=True, squeeze=False,
                                 figsize=(8, 1 + 1.4 * len(numbers)))
     for axes, n in zip(panels[:, 0], numbers):
         for direction, marker, colour in DIRECTIONS:
             rows = waves["direction"] == direction
             if np.any(rows):
-                axes.plot(waves["speed"][rows], waves[f"running wave {n}"][rows], marker=marker,
+                axes.plot(waves["speed"][rows], waves[f"travelling wave {n}"][rows], marker=marker,
                           markersize=3, color=colour, label=f"speed {direction}")
         axes.set(ylabel=f"n = {n} [um]")
         axes.set_ylim(bottom=0)

@@ -278,9 +278,9 @@ namespace vfife
         [&](const char *quantity, const char *unit, const auto &value, const auto &by) {
           rows.push_back({quantity, unit, value, by, "lumped", {}, why});
         };
-      add("swing frequency",
+      add("torsional mode frequency",
           "Hz",
-          run.summary(summary_place::figure(figure_name::swing_frequency)),
+          run.summary(summary_place::figure(figure_name::torsional_frequency)),
           lumped.number("lumped.json", lumped_place::first_frequency()));
       add("mean dte", "arcsec", run.steady_mean(column::dte), response(column::mean_dte));
       add("dte, peak to peak",

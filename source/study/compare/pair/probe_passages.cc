@@ -57,7 +57,7 @@ namespace vfife
         ProbePassage passage{name};
         // Samples lie on the positions up to round-off.
         const double slack = 1e-6 / mesh_frequency;
-        for (const auto &[meshes, stress] : curve_of(loaded, name, column::after_mesh))
+        for (const auto &[meshes, stress] : curve_of(loaded, name, column::after_mean_contact))
           {
             // Instants of both: the static places count mesh cycles from the mesh on, which each
             // probe passes at its time. Peaks are taken at the same instants, for a run has many

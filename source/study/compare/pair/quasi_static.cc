@@ -16,7 +16,7 @@ namespace vfife
     const bool standing = std::count(axes.begin(), axes.end(), axes_of_modes::standing) > 0;
     for (std::size_t i = 0; i < coupled_modes.n_rows(); ++i)
       {
-        const double share = coupled_modes.numbers(column::share_of_static_turn)[i];
+        const double share = coupled_modes.numbers(column::share_of_static_rotation)[i];
         if (share > least && (!standing || axes[i] == axes_of_modes::standing))
           {
             frequencies.push_back(coupled_modes.numbers(column::frequency)[i]);

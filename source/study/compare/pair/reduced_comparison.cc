@@ -189,8 +189,8 @@ namespace vfife
     add_curve(run, reduced, column::dte, "arcsec", rows);
     add_curve(run, reduced, column::contact_force_total, "N", rows);
 
-    const std::string swing = summary_place::figure(figure_name::swing_frequency);
-    ComparisonRow     row   = {"swing frequency",
+    const std::string swing = summary_place::figure(figure_name::torsional_frequency);
+    ComparisonRow     row   = {"torsional mode frequency",
                                "Hz",
                                run.summary(swing),
                                reduced.summary(swing),
