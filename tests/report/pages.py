@@ -369,6 +369,10 @@ class Pages(unittest.TestCase):
                           "The pinion drives forward, so the drive side is in contact.", "On the coast side contact is interrupted before",
                           "before the path: border", "<td>gear tip</td>"):
                 self.assertIn(words, text)
+            coast["path"]["contact ratio"]["value"] = 2.26
+            (Path(name) / "tca.json").write_text(json.dumps(analysis))
+            main([name])
+            self.assertIn("On the coast side the flanks have no transfer point.", re.sub(r"\s+", " ", self.read(name)))
             for row in (("path of contact: contact ratio", "-", "1.69", "0.9"), ("transfer point: peak to peak", "arcsec", "3.98", "–"),
                         ("tip land", "mm", *["1.5", "1.6", "1.7"] * 2)):
                 cells = [re.escape(cell) for cell in row]

@@ -60,7 +60,12 @@ namespace vfife
 
   bool EdgesUnderLoad::found() const
   {
-    return std::max(borders_[0].force, borders_[1].force) > 0.01 * largest_;
+    return is_loaded(borders_[0]) || is_loaded(borders_[1]);
+  }
+
+  bool EdgesUnderLoad::is_loaded(const Border &border) const
+  {
+    return border.force > 0.01 * largest_;
   }
 
   std::string EdgesUnderLoad::explain() const
@@ -74,11 +79,15 @@ namespace vfife
           << borders_[0].place << " to " << borders_[1].place << " pitches";
         return text.str();
       }
-    text << "edge contact: ";
+    std::string separator = "edge contact: ";
     for (unsigned int i = 0; i < 2; ++i)
-      text << (i == 0 ? "before" : ", after") << " the path of contact (" << borders_[i].name
-           << ", " << borders_[i].place << " pitches) a tooth pair has up to "
-           << std::lround(borders_[i].force) << " N";
+      if (is_loaded(borders_[i]))
+        {
+          text << separator << (i == 0 ? "before" : "after") << " the path of contact ("
+               << borders_[i].name << ", " << borders_[i].place
+               << " pitches) a tooth pair has up to " << std::lround(borders_[i].force) << " N";
+          separator = ", ";
+        }
     text
       << " of " << std::lround(largest_)
       << " N. Hertzian pressure applies inside the flanks only; at a sharp edge it is larger and "

@@ -104,8 +104,11 @@ namespace vfife
                  " arcsec peak to peak");
       else
         log.warning(side_name(a.side),
-                    " side: contact is interrupted before the next tooth pair engages (contact "
-                    "ratio below 1)");
+                    a.contact_ratio < 1.
+                      ? " side: contact is interrupted before the next tooth pair engages (contact "
+                        "ratio below 1)"
+                      : " side: no transfer point on the flanks: contact passes to the next tooth "
+                        "pair at an edge");
       if (a.over_an_edge)
         log.warning(side_name(a.side),
                     " side: the path of contact ends before the next tooth pair engages; there an "

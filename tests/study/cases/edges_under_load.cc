@@ -82,6 +82,11 @@ namespace
             outside.explain().find("after the path of contact (pinion heel") != std::string::npos);
     check("a touch is none",
           !observe({{0, "drive", 0, 5000}, {.05 * mesh, "drive", 26, 49}}).found());
+    const std::string one =
+      observe({{0, "drive", 0, 5000}, {.05 * mesh, "drive", 26, 300}}).explain();
+    check("outside: an edge without force is not named",
+          one.find("gear tip") != std::string::npos &&
+            one.find("pinion heel") == std::string::npos);
   }
 
   /** What --check says of the coarse pair, whose Hertz pressure is 1296 MPa at 800 N m. */

@@ -24,7 +24,7 @@ namespace vfife
   class EdgesUnderLoad
   {
   public:
-    /** @p analysis of the drive side, which carries; the driver has @p driver_teeth, of which the
+    /** @p analysis of the drive side, which is loaded; the driver has @p driver_teeth, of which the
      * next one has the number before. */
     EdgesUnderLoad(const ContactAnalysis &analysis, unsigned int driver_teeth);
 
@@ -41,7 +41,7 @@ namespace vfife
      */
     void observe(const Table &teeth, const std::string &place, double per_mesh);
 
-    /** Whether edges carry more than a hundredth of the largest force of a tooth pair. */
+    /** Whether an edge has more than a hundredth of the largest force of a tooth pair. */
     bool found() const;
 
     /** One sentence for log and report. */
@@ -61,6 +61,8 @@ namespace vfife
       double      force = 0; ///< largest of a pair beyond it [N]
     };
 
+    bool is_loaded(const Border &border) const;
+
     unsigned int          driver_teeth_;
     std::array<Border, 2> borders_; ///< at the start and at the end of the path
     double                largest_ = 0;
@@ -68,7 +70,8 @@ namespace vfife
 
   /**
    * Looks at tooth pairs in contact, as EdgesUnderLoad::observe(), and writes edge_contact.json and
-   * a line of the log, a warning where edges carry; returns EdgesUnderLoad::list_figures(). Without
+   * a line of the log, a warning where edges are in contact; returns
+   * EdgesUnderLoad::list_figures(). Without
    * @p edges nothing.
    */
   NamedFigures write_edge_contact(std::optional<EdgesUnderLoad> edges,

@@ -97,7 +97,11 @@ def tell_unloaded_contact(run, plots):
             yield Paragraph(f"On the {side} side the flanks have no contact inside their borders in the given mounting. Only edge contact "
                             "is possible.", "alarm")
         elif not analysis[side]["has a transfer point"]:
-            yield Paragraph(f"On the {side} side contact is interrupted before the next tooth pair engages.", "alarm")
+            if analysis[side]["path"]["contact ratio"]["value"] < 1:
+                yield Paragraph(f"On the {side} side contact is interrupted before the next tooth pair engages.", "alarm")
+            else:
+                yield Paragraph(f"On the {side} side the flanks have no transfer point. Contact passes to the next tooth pair at an "
+                                "edge.", "alarm")
         elif not analysis[side]["transfer point inside the flanks"]:
             yield Paragraph(f"On the {side} side the path of contact ends before the next tooth pair engages. An edge is in contact "
                             "in between.", "alarm")
