@@ -2,11 +2,10 @@
 // Congruent elements, their packs, the operator's forces against dense element matrices, and
 // relaxation against a turning bar's closed form.
 #include "../tests.h"
-#include "one_solver.h"
+#include "relaxed.h"
 
 #include <vfife/base/errors.h>
 #include <vfife/base/process/mpi_session.h>
-#include <vfife/dynamics/equilibrium/relaxation.h>
 #include <vfife/element/internal_force.h>
 #include <vfife/mesh/body_mesh.h>
 
@@ -190,17 +189,9 @@ namespace
     bar.rate                  = 3000;
     model.add_body(std::move(bar));
     model.constraints.push_back({"end", ConstraintKind::held, 0, model.bodies[0].node_set("x-")});
-    OneSolver         run(model, undamped());
-    RelaxationOptions options;
-    options.tolerance = 1e-8;
-    Relaxation             relaxation(model,
-                          options,
-                          run.solver.vfife_operator(),
-                          run.solver.contact(),
-                          run.solver.walls(),
-                          run.communicator,
-                          run.log);
-    const RelaxationReport report = relaxation.solve(run.state, Relaxation::Loads());
+    OneSolver run(model, undamped());
+    run.options.relaxation.tolerance = 1e-8;
+    const RelaxationReport report    = relax(model, run);
 
     Vector3 tip  = Vector3::Zero();
     double  held = 0;
@@ -230,20 +221,12 @@ namespace
     check_below("turning bar: held end", held, 0);
 
     // A start at the answer needs no steps, and too few steps are an error.
-    check("relaxation: at once when in equilibrium",
-          relaxation.solve(run.state, Relaxation::Loads()).steps == 0);
+    check("relaxation: at once when in equilibrium", relax(model, run).steps == 0);
     run.solver.start(run.state);
-    options.largest_steps = 10;
-    Relaxation short_relaxation(model,
-                                options,
-                                run.solver.vfife_operator(),
-                                run.solver.contact(),
-                                run.solver.walls(),
-                                run.communicator,
-                                run.log);
+    run.options.relaxation.largest_steps = 10;
     try
       {
-        short_relaxation.solve(run.state, Relaxation::Loads());
+        relax(model, run);
         check("relaxation: gives up", false);
       }
     catch (const NumericalError &)

@@ -324,8 +324,6 @@ namespace vfife
       summary.contradictions = report_checks(model, log);
       summary.cause          = gear_case_.find_cause();
       say_nearest_wave(model, motion, pair, log, summary);
-      const NamedFigures damping = list_damping(dynamics_, &*model.transmission, log);
-      summary.figures.insert(summary.figures.end(), damping.begin(), damping.end());
       summary.figures.insert(summary.figures.end(), at_start.begin(), at_start.end());
 
       const auto prepared = [&]() {
@@ -411,6 +409,9 @@ namespace vfife
       NamedFigures at_start =
         find_start_stresses(model, dynamics_, settled.compliance.get(), communicator, log);
       at_start.insert(at_start.end(), settled.figures.begin(), settled.figures.end());
+      if (is_motion())
+        for (const auto &figure : list_damping(dynamics_, &*model.transmission, log))
+          at_start.push_back(figure);
       if (is_motion())
         run_lengths(
           gear_case_,

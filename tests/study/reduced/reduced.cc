@@ -464,7 +464,7 @@ namespace
     const std::string ended = read_text("steady_parts/run.log");
     check("a limit of steps ends the run, which is not judged",
           ended.find("steady after") == std::string::npos);
-    check("damping is stated", ended.find("damping 2e+04 1/s: ratio") != std::string::npos);
+    check("damping is stated", ended.find("damping 20000 1/s: ratio") != std::string::npos);
     const Columns parts = turn("steady_parts", "until steady", true);
     for (const Columns *other : {&given, &parts})
       {
