@@ -73,7 +73,8 @@ class Result:
     @cached_property
     def summary(self):
         """All figures of the study with values and units: those of figures.json and of the group "figures" of
-        summary.json by their names, "dte mean" and its like of the steady part, others by their place, "energy/error". Those with another name in the previous version are found by it, too.
+        summary.json by their names, "dte mean" and its like of the steady part, others by their place, "energy/error".
+        Figures with another name in the previous version are found by that name, too.
         """
         figures = Named(None)
         for path in sorted(self.path.glob("*.json")):

@@ -410,16 +410,17 @@ namespace vfife
         find_start_stresses(model, dynamics_, settled.compliance.get(), communicator, log);
       at_start.insert(at_start.end(), settled.figures.begin(), settled.figures.end());
       if (is_motion())
-        for (const auto &figure : list_damping(dynamics_, &*model.transmission, log))
-          at_start.push_back(figure);
-      if (is_motion())
-        run_lengths(
-          gear_case_,
-          dynamics_,
-          folder,
-          checkpoint_,
-          [&] { return move(model, pair, motion, mean_penalty, at_start, folder, log); },
-          log);
+        {
+          const NamedFigures damping = list_damping(dynamics_, &*model.transmission, log);
+          at_start.insert(at_start.end(), damping.begin(), damping.end());
+          run_lengths(
+            gear_case_,
+            dynamics_,
+            folder,
+            checkpoint_,
+            [&] { return move(model, pair, motion, mean_penalty, at_start, folder, log); },
+            log);
+        }
       else
         sweep(model, pair, motion, at_start, roots ? &*roots : nullptr, folder, log);
       if (output_.pictures)

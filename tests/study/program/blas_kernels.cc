@@ -14,7 +14,7 @@ namespace
   /** What OpenBLAS says that it has chosen as it is loaded; empty where it is not the BLAS. */
   std::string kernels_of_program()
   {
-    // Without a file the program ends once it is loaded.
+    // Of an empty file the program says that it has no study and ends.
     std::ofstream("empty.prm") << "";
     const std::string text = run_program({"env", program_file(), "empty.prm", "--check"}).text;
     const auto        at   = text.find("Core: ");

@@ -40,8 +40,11 @@ class Table:
             if name in self.columns:
                 raise DamagedFile(f'{path}:1: there is a second column "{name}"')
             cells = [row[position] for _, row in rows[1:]]
-            self.columns[name] = self.read_numbers(name, cells) if bracket else guess_kind(
-                [present_name(path.name, cell) for cell in cells])
+            if bracket:
+                self.columns[name] = self.read_numbers(name, cells)
+            else:
+                present = {cell: present_name(path.name, cell) for cell in set(cells)}
+                self.columns[name] = guess_kind([present[cell] for cell in cells])
             self.units[name] = unit.rstrip("]")
         self.n_rows = len(rows) - 1
 
