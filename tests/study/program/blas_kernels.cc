@@ -14,7 +14,7 @@ namespace
   /** What OpenBLAS says that it has chosen as it is loaded; empty where it is not the BLAS. */
   std::string kernels_of_program()
   {
-    // Of an empty file the program says that it has no study and ends.
+    // An empty file is refused as soon as the program is loaded.
     std::ofstream("empty.prm") << "";
     const std::string text = run_program({"env", program_file(), "empty.prm", "--check"}).text;
     const auto        at   = text.find("Core: ");
