@@ -30,8 +30,8 @@ using namespace vfife;
 
 namespace
 {
-  /** The pinion held by its bore; of a pressure of 100 MPa on the concave flank of tooth 0 the
-   * nodes above the fillet carry their share. */
+  /** The pinion held by its bore, with a pressure of 100 MPa on the whole concave flank of tooth 0.
+   */
   class LoadedTooth
   {
   public:
@@ -45,12 +45,10 @@ namespace
       bore.nodes        = body.node_set(node_set::bore);
       model.constraints = {bore};
       loads.nodal_forces.assign(model.n_nodes(), Vector3::Zero());
-      const FacetSurface       &flank  = body.mesh().surfaces.at(surface_name::concave);
-      const std::vector<double> areas  = compute_nodal_areas(body, flank.nodes);
-      const auto               &fillet = body.node_set(node_set::concave_fillet);
+      const FacetSurface       &flank = body.mesh().surfaces.at(surface_name::concave);
+      const std::vector<double> areas = compute_nodal_areas(body, flank.nodes);
       for (std::size_t i = 0; i < flank.nodes.size(); ++i)
-        if (flank.nodes[i] < body.n_nodes() / body.mesh().structure.n_sectors() &&
-            !std::binary_search(fillet.begin(), fillet.end(), flank.nodes[i]))
+        if (flank.nodes[i] < body.n_nodes() / body.mesh().structure.n_sectors())
           loads.nodal_forces[flank.nodes[i]] = -100. * areas[i] * flank.normals[i];
     }
 

@@ -180,6 +180,15 @@ namespace vfife
                    "part of the fillet's arc, from its bottom. Elements are most distorted "
                    "there; keep it away from the largest root stress",
                    Range::between(.2, .9));
+    declare_quantity_or_word(
+      prm,
+      "surface layer",
+      surface_layer,
+      "mm",
+      "none",
+      "Thickness of a layer of elements under flanks, fillets, tips and root lands. Then the mesh "
+      "blocks meet below the surface and not on the fillet, where root stresses are read. The "
+      "layer shortens the time step of runs. Use 0.2 modules for root stresses; none: no layer");
   }
 
   GearBodyOptions pinion_body_defaults()
@@ -207,6 +216,7 @@ namespace vfife
     options.element_size = options.edge_in_modules = 0.;
     options.grading_towards_fillet = options.grading_towards_flank = 1.;
     options.fillet_corner                                          = default_fillet_corner;
+    options.surface_layer                                          = 0.;
     return options;
   }
 } // namespace vfife

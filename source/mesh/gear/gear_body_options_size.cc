@@ -14,6 +14,8 @@ namespace vfife
     const double in_teeth = cells_lengthwise * (flank_rows + 1.) * cells_across;
     const double in_rim   = static_cast<double>(cells_lengthwise) * rim_rows * columns();
     double       n        = in_teeth + in_rim;
+    if (surface_layer > 0.)
+      n += cells_lengthwise * (cells_across + 2. * (flank_rows + 3.));
     if (web == WebKind::solid)
       n += shaft.n_cells(bore_radius, columns(), cells_lengthwise);
     if (web == WebKind::conical)

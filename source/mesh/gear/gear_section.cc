@@ -3,6 +3,8 @@
 #include <vfife/mesh/gear/gear_section.h>
 #include <vfife/mesh/gear/grading.h>
 
+#include <Eigen/LU>
+
 #include <cmath>
 #include <sstream>
 
@@ -84,6 +86,48 @@ namespace vfife
         }
       return profile;
     }
+
+    /** Moves points of one section into the metal. */
+    class InwardMove
+    {
+    public:
+      InwardMove(const BlankOutline &blank, const double L, const double depth)
+        : blank_(blank)
+        , L_(L)
+        , depth_(depth)
+      {
+      }
+
+      /** A point with @p angle of the section. At a @p corner the tip moves by the depth too. */
+      Vector2 operator()(const SurfacePoint &point, const double angle, const bool corner) const
+      {
+        const Vector3 &x     = point.position;
+        const double   polar = polar_angle(x), h = blank_.coordinates_of(x)[1];
+        // The section is at right angles to its direction of L.
+        const auto direction = [&](const double L, const double height) {
+          return Vector3(position_of(blank_, L_ + L, h + height, polar) -
+                         position_of(blank_, L_, h, polar));
+        };
+        const Vector3 along = direction(1., 0.);
+        Vector3       inward;
+        if (corner)
+          {
+            Matrix3 rows;
+            rows << along.transpose(), point.normal.transpose(), -direction(0., 1.).transpose();
+            inward = rows.inverse() * Vector3(0., 1., 1.);
+          }
+        else
+          {
+            const double part = point.normal.dot(along);
+            inward            = (point.normal - part * along) / (1. - part * part);
+          }
+        return section_coordinates(blank_, x + depth_ * inward, angle);
+      }
+
+    private:
+      const BlankOutline &blank_;
+      double              L_, depth_;
+    };
   } // namespace
 
   GearSection compute_gear_section(const GearGeometry &gear,
@@ -118,6 +162,58 @@ namespace vfife
     if (!(section.lower.back()[1] < section.upper.back()[1]))
       throw InputError(gear.name() + ": the tooth is pointed below its tip");
     return section;
+  }
+
+  GearSection move_inward(const GearGeometry &gear,
+                          const GearSection  &section,
+                          const double        fillet_corner,
+                          const double        depth)
+  {
+    const double     L = section.cone_distance;
+    const InwardMove move(gear.blank(), L, depth);
+    GearSection      moved        = section;
+    const auto       move_profile = [&](const FlankSide side, std::vector<Vector2> &profile) {
+      const double end = gear.fillet_end(side);
+      for (unsigned int k = 0; k < profile.size(); ++k)
+        {
+          const bool in_fillet = k < 2;
+          profile[k] = move(in_fillet ? gear.fillet_point(side, L, k * fillet_corner * end)
+                                      : gear.flank_point(side, L, profile[k][0]),
+                            profile[k][1],
+                            k + 1 == profile.size());
+        }
+    };
+    move_profile(gear.lower_side(), moved.lower);
+    move_profile(gear.upper_side(), moved.upper);
+    moved.root_height -= depth;
+    return moved;
+  }
+
+  void check_surface_layer(const std::string  &section,
+                           const GearGeometry &gear,
+                           const double        fillet_corner,
+                           const double        depth)
+  {
+    constexpr double    least_part_of_top_land = .2;
+    const BlankOutline &blank                  = gear.blank();
+    const auto          top_land               = [](const GearSection &of) {
+      return of.upper.back()[1] - of.lower.back()[1];
+    };
+    for (const double L : {blank.inner_cone_distance(), blank.outer_cone_distance})
+      {
+        const GearSection outline = compute_gear_section(gear, L, 1);
+        const double      width   = top_land(outline),
+                     left         = top_land(move_inward(gear, outline, fillet_corner, depth));
+        if (left > least_part_of_top_land * width)
+          continue;
+        const double       radius = blank.meridian_point({L, blank.addendum(L)})[0];
+        const double       most   = (1. - least_part_of_top_land) * depth * width / (width - left);
+        std::ostringstream message;
+        message << "expected at most " << std::floor(100. * most) / 100.
+                << " mm, because the top land is " << radius * width << " mm wide at cone distance "
+                << L << " mm, got " << depth << " mm";
+        throw InputError(section + "/surface layer", message.str());
+      }
   }
 
   std::vector<GearSection> compute_gear_sections(const GearGeometry &gear,

@@ -41,6 +41,10 @@ namespace vfife
     , web_(gear.blank(), options, sections_.front().root_height, sections_.back().root_height)
     , cells_(gear.name(), gear.pitch())
   {
+    for (const GearSection &section : sections_)
+      inner_.push_back(options.surface_layer > 0.
+                         ? move_inward(gear, section, options.fillet_corner, options.surface_layer)
+                         : section);
   }
 
   // A section L = const of the sector: rows and columns of the tooth, columns 0 ... last of the rim
@@ -56,12 +60,14 @@ namespace vfife
   //    0    1              rim row 0      last - 1  last: column 0 of the next sector
   //
   // Column 0 is the centre of the slot, 1 the bottom of the fillet; rim rows go down from there to
-  // the underside or the bore.
+  // the underside or the bore. With a surface layer these are the blocks under the layer, whose
+  // outline is that of inner_; the layer has one cell between each of its sides and the surface.
   GearSector GearSectorBuilder::build()
   {
     add_tooth();
     cells_.enter(GearRegion::rim);
     add_rim();
+    add_surface_layer();
     cells_.enter(GearRegion::web);
     if (at_toe_ || at_underside_)
       add_web();
@@ -88,7 +94,7 @@ namespace vfife
   void GearSectorBuilder::add_tooth()
   {
     const unsigned int rows = options_.flank_rows + 1, across = options_.cells_across;
-    for (const GearSection &section : sections_)
+    for (const GearSection &section : inner_)
       {
         NodeLayer layer(rows + 1, std::vector<unsigned int>(across + 1));
         for (unsigned int row = 0; row <= rows; ++row)
@@ -122,21 +128,24 @@ namespace vfife
   {
     const GearSection &section = sections_[i];
     const double       part    = rim_parts_[row];
+    const double       start   = options_.surface_layer;
     if (options_.web == WebKind::solid)
       {
         const Vector2 root =
           gear_.blank().meridian_point({section.cone_distance, section.root_height});
-        return part * (root[0] - options_.bore_radius) / std::cos(gear_.blank().pitch_angle);
+        const double to_bore =
+          (root[0] - options_.bore_radius) / std::cos(gear_.blank().pitch_angle);
+        return start + part * (to_bore - start);
       }
     // a rim with an underside: even or graded rows, unless the web places them
-    const double even = part * options_.rim_thickness;
+    const double even = start + part * (options_.rim_thickness - start);
     if (!at_toe_)
       return even;
     // At the toe the rows stand at the layers of the web, towards the heel they spread evenly.
     const unsigned int above = rows_above_web(), below = above + options_.web_layers;
     double             at_toe;
     if (row < above)
-      at_toe = web_.wall_place(0.) * row / above;
+      at_toe = start + (web_.wall_place(0.) - start) * row / above;
     else if (row <= below)
       at_toe = web_.wall_place(double(row - above) / options_.web_layers);
     else
@@ -154,7 +163,7 @@ namespace vfife
   {
     const BlankOutline &blank   = gear_.blank();
     const GearSection  &section = sections_[i];
-    const Vector2       top     = rim_top(section, column);
+    const Vector2       top     = rim_top(inner_[i], column);
     if (row == 0)
       return position_of(blank, section.cone_distance, top[0], top[1]);
 
@@ -250,9 +259,10 @@ namespace vfife
         cells_.add_to_set(node_set::toe, {rim_.front()[row]});
     cells_.add_to_set(node_set::heel, tooth_.back());
     cells_.add_to_set(node_set::heel, rim_.back());
-    // tip, then underside or bore, rim and root land by sections
-    for (const NodeLayer &layer : tooth_)
-      cells_.add_to_set(node_set::tip, {layer.back()});
+    for (const auto &[surface, name] : {std::make_pair(&surface_.front(), node_set::toe),
+                                        std::make_pair(&surface_.back(), node_set::heel)})
+      cells_.add_to_set(name, {surface->below(), surface->around_tooth(), surface->above()});
+    // underside or bore, rim, root land and tip by sections
     for (unsigned int i = 0; i < rim_.size(); ++i)
       {
         const NodeLayer &layer = rim_[i];
@@ -263,8 +273,11 @@ namespace vfife
                                                            : node_set::rim_underside,
                             {layer.back()});
         cells_.add_to_set(node_set::rim, layer);
-        for (const unsigned int column : {0u, 1u, options_.columns() - 1})
-          cells_.add_to_set(node_set::root_land, layer[0][column]);
+        const SurfaceNodes &surface = surface_[i];
+        cells_.add_to_set(node_set::rim, {surface.below(), surface.above()});
+        cells_.add_to_set(node_set::root_land,
+                          {{surface.slot, surface.lower[0], surface.upper[0]}});
+        cells_.add_to_set(node_set::tip, {surface.tip});
       }
   }
 
@@ -278,8 +291,7 @@ namespace vfife
       for (unsigned int row = 0; row <= rows; ++row)
         {
           const auto &profile = upper ? sections_[i].upper : sections_[i].lower;
-          const auto &nodes   = tooth_[i][row + 1];
-          grid.nodes.push_back(upper ? nodes.back() : nodes.front());
+          grid.nodes.push_back((upper ? surface_[i].upper : surface_[i].lower)[row + 2]);
           grid.L_h.emplace_back(sections_[i].cone_distance, profile[row + 2][0]);
           cells_.add_to_set(side == FlankSide::concave ? surface_name::concave
                                                        : surface_name::convex,
@@ -297,12 +309,10 @@ namespace vfife
     // fillet: bottom, P and start of the flank of every section
     const char *fillet =
       side == FlankSide::concave ? node_set::concave_fillet : node_set::convex_fillet;
-    for (unsigned int i = 0; i < sections_.size(); ++i)
+    for (const SurfaceNodes &surface : surface_)
       {
-        const unsigned int bottom = upper ? options_.columns() - 1 : 1;
-        cells_.add_to_set(fillet, rim_[i][0][bottom]);
-        for (const unsigned int row : {0u, 1u})
-          cells_.add_to_set(fillet, upper ? tooth_[i][row].back() : tooth_[i][row].front());
+        const auto &profile = upper ? surface.upper : surface.lower;
+        cells_.add_to_set(fillet, {{profile[0], profile[1], profile[2]}});
       }
     cells_.add_flank(grid);
   }

@@ -186,6 +186,21 @@ namespace vfife
       }
   }
 
+  void GearCase::check_surface_layers() const
+  {
+    for (unsigned int b = 0; b < 2; ++b)
+      {
+        const GearBodyOptions &body = members_[b].body;
+        if (!(body.surface_layer > 0.))
+          continue;
+        const GearPair pair(pair_);
+        check_surface_layer("Gear pair/" + members_[b].name + "/Mesh",
+                            b == 0 ? pair.pinion() : pair.gear(),
+                            body.fillet_corner,
+                            body.surface_layer);
+      }
+  }
+
   void GearCase::check_bodies() const
   {
     pair_.check("Gear pair");
@@ -197,6 +212,7 @@ namespace vfife
     check_body(members_[0], completed.pinion.blank);
     check_body(members_[1], completed.gear.blank);
     check_shafts();
+    check_surface_layers();
     for (const Material &m : materials_)
       m.check("Material " + m.name);
   }

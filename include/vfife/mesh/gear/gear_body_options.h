@@ -57,6 +57,8 @@ namespace vfife
     double grading_towards_flank = 1.;
     /** compute_gear_section(). */
     double fillet_corner = default_fillet_corner;
+    /** Thickness of a layer of cells under flanks, fillets, tips and root lands; 0: none [mm]. */
+    double surface_layer = 0.;
 
     GearShaftOptions shaft; ///< of one piece with the body; none by default
 

@@ -39,6 +39,23 @@ namespace vfife
                                    double              grading       = 1.,
                                    double              fillet_corner = default_fillet_corner);
 
+  /**
+   * The section with its outline moved into the metal by @p depth [mm], measured normal to the true
+   * surfaces: fillets and flanks along their normals projected into the section, tip and root land
+   * along h.
+   */
+  GearSection move_inward(const GearGeometry &gear,
+                          const GearSection  &section,
+                          double              fillet_corner,
+                          double              depth);
+
+  /** Throws InputError of the entry "surface layer" in @p section where layers of this @p depth
+   * [mm] leave less than a fifth of the top land between the two flanks. */
+  void check_surface_layer(const std::string  &section,
+                           const GearGeometry &gear,
+                           double              fillet_corner,
+                           double              depth);
+
   /** The n + 1 sections at even steps of L from toe to heel. */
   std::vector<GearSection> compute_gear_sections(const GearGeometry &gear,
                                                  unsigned int        n,

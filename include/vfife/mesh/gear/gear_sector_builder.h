@@ -25,10 +25,33 @@ namespace vfife
     GearSector build();
 
   private:
+    /** Nodes of a section on flanks, fillets, tip and root land. */
+    struct SurfaceNodes
+    {
+      unsigned int              slot = 0;     ///< centre of the slot below the tooth
+      std::vector<unsigned int> lower, upper; ///< profiles as those of GearSection
+      std::vector<unsigned int> tip;          ///< both corners included
+
+      /** From the slot to P of the lower fillet. */
+      std::vector<unsigned int> below() const
+      {
+        return {slot, lower[0], lower[1]};
+      }
+      /** From P over the tip to P of the upper fillet. */
+      std::vector<unsigned int> around_tooth() const;
+      /** From P of the upper fillet to the next slot. */
+      std::vector<unsigned int> above() const;
+    };
+
     void add_tooth();
     void add_rim();
-    void add_flank_grid(FlankSide side);
-    void add_named_ends();
+    /** The outline of the blocks of tooth and rim in section i. */
+    SurfaceNodes outline_of_blocks(unsigned int i) const;
+    /** New nodes of the true outline of section i. */
+    SurfaceNodes make_surface_nodes(unsigned int i);
+    void         add_surface_layer();
+    void         add_flank_grid(FlankSide side);
+    void         add_named_ends();
 
     void      add_web();
     NodeLayer make_web_nodes(double u, unsigned int columns);
@@ -65,11 +88,14 @@ namespace vfife
     const GearBodyOptions   &options_;
     const bool               at_toe_, at_underside_; ///< where there is a web
     std::vector<GearSection> sections_;
+    std::vector<GearSection> inner_; ///< under the surface layer; without one the sections
     std::vector<double>      across_, rim_parts_; ///< places of columns, of rim rows where graded
     ConicalWeb               web_;                ///< used where the body has one
     std::vector<NodeLayer>   tooth_, rim_;
-    NodeLayer                bore_; ///< lines along the axis, of a body that has one
-    GearSectorCells          cells_;
+
+    std::vector<SurfaceNodes> surface_; ///< of each section
+    NodeLayer                 bore_;    ///< lines along the axis, of a body that has one
+    GearSectorCells           cells_;
   };
 } // namespace vfife
 

@@ -130,6 +130,7 @@ namespace vfife
     TorquePressure torque_pressure() const;
     /** Throws InputError for shafts that do not go with their bodies or with what holds them. */
     void            check_shafts() const;
+    void            check_surface_layers() const;
     const Material &material(const std::string &name) const;
     /** E* of both members [MPa]. */
     double       pair_modulus() const;
