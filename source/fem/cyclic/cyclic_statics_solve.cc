@@ -111,9 +111,20 @@ namespace vfife
         originals.emplace(copy_of(watched), &watched);
         sectors.insert(sector);
       }
-    locals_.clear();
+    // Flexibilities of more points and sectors serve fewer of them.
+    std::vector<Copy> locals;
     for (const auto &original : originals)
-      locals_.push_back(original.first);
+      locals.push_back(original.first);
+    std::set<unsigned int> distances;
+    for (const unsigned int from : sectors)
+      for (const unsigned int to : sectors)
+        distances.insert((to + body_.n_sectors() - from) % body_.n_sectors());
+    if (std::includes(locals_.begin(), locals_.end(), locals.begin(), locals.end()) &&
+        std::all_of(distances.begin(), distances.end(), [this](const unsigned int d) {
+          return flexibility_.count(d) != 0;
+        }))
+      return;
+    locals_ = std::move(locals);
     flexibility_.clear();
     if (watched_.empty())
       return;
@@ -141,10 +152,8 @@ namespace vfife
     });
 
     // 3. Around the body, for all pairs of sectors that are asked for.
-    for (const unsigned int from : sectors)
-      for (const unsigned int to : sectors)
-        flexibility_[(to + body_.n_sectors() - from) % body_.n_sectors()] =
-          Eigen::MatrixXd::Zero(m, m);
+    for (const unsigned int d : distances)
+      flexibility_[d] = Eigen::MatrixXd::Zero(m, m);
     const unsigned int n = n_border_;
     for (const Harmonic &harmonic : harmonics_)
       {

@@ -21,7 +21,8 @@ namespace vfife
     }
 
     /** W = mu |U - 1|^2 + lambda/2 tr(U - 1)^2. */
-    StrainState biot_state(const Matrix3 &H, const double lambda, const double mu)
+    StrainState
+    biot_state(const Matrix3 &H, const double lambda, const double mu, const bool with_tangent)
     {
       // U - 1 by the eigenvectors V of Green's strain: its stretches less one follow from e without
       // a difference of near numbers, and so does R = F U^-1.
@@ -39,6 +40,8 @@ namespace vfife
       // P = R (2 mu (U - 1) + lambda tr(U - 1) 1)
       const Vector3 principal = 2. * mu * strain + Vector3::Constant(lambda * trace);
       state.stress            = RV * principal.asDiagonal() * V.transpose();
+      if (!with_tangent)
+        return state;
       // With W = mu |F|^2 - 2 mu tr U + lambda/2 tr(U - 1)^2: d tr U/dF = R, and dR/dF has the
       // three twists R V T_k V^T, T_k the unit skew matrix of a plane, times 2/(s_i + s_j) of its
       // stretches, as eigenmatrices.
@@ -58,7 +61,8 @@ namespace vfife
     }
 
     /** W = mu |E|^2 + lambda/2 tr(E)^2, E = (F^T F - 1)/2. */
-    StrainState green_state(const Matrix3 &H, const double lambda, const double mu)
+    StrainState
+    green_state(const Matrix3 &H, const double lambda, const double mu, const bool with_tangent)
     {
       const Matrix3 F      = Matrix3::Identity() + H;
       const Matrix3 E      = .5 * (H + H.transpose() + H.transpose() * H);
@@ -67,6 +71,8 @@ namespace vfife
       StrainState state;
       state.energy = mu * E.squaredNorm() + .5 * lambda * E.trace() * E.trace();
       state.stress = F * second;
+      if (!with_tangent)
+        return state;
       for (unsigned int c = 0; c < 9; ++c)
         {
           // dP = dF S + F (lambda tr(dE) 1 + 2 mu dE) for one entry of dF
@@ -78,6 +84,16 @@ namespace vfife
             change * second + F * (lambda * dE.trace() * Matrix3::Identity() + 2. * mu * dE));
         }
       return state;
+    }
+
+    StrainState find_state(const Matrix3      &H,
+                           const Material     &material,
+                           const StrainMeasure measure,
+                           const bool          with_tangent)
+    {
+      return measure == StrainMeasure::biot
+               ? biot_state(H, material.lambda(), material.mu(), with_tangent)
+               : green_state(H, material.lambda(), material.mu(), with_tangent);
     }
 
     /** What is integrated over an element: gradients of all functions, bubbles last. */
@@ -172,8 +188,7 @@ namespace vfife
   StrainState
   compute_strain_state(const Matrix3 &H, const Material &material, const StrainMeasure measure)
   {
-    return measure == StrainMeasure::biot ? biot_state(H, material.lambda(), material.mu())
-                                          : green_state(H, material.lambda(), material.mu());
+    return find_state(H, material, measure, true);
   }
 
   ElementState compute_element_state(const ElementNodes    &X,
@@ -199,7 +214,7 @@ namespace vfife
     for (const Point &point : points)
       {
         const StrainState state =
-          compute_strain_state(all * point.gradients.transpose(), material, measure);
+          find_state(all * point.gradients.transpose(), material, measure, with_tangent);
         result.energy += point.weight * state.energy;
         forces += point.weight * state.stress * point.gradients;
         if (with_tangent)

@@ -53,13 +53,17 @@ end
 )";
   }
 
+  /** Bodies of predictions, shared within the test alone. */
+  constexpr char plain_bodies[] = "Reduced/store=plain_bodies";
+
   /** Frequencies that `modal` finds at the speeds where the lines are said to be. */
   void prediction(Communicator &world)
   {
     run_pair("waves.prm",
              "predicted",
              world,
-             {"Waves/simulate response=no",
+             {plain_bodies,
+              "Waves/simulate response=no",
               "Waves/nodal diameters=3, 4",
               "Waves/highest speed=12000 rpm"});
     const Columns lines = read_columns("predicted/waves_lines.csv");
@@ -129,7 +133,8 @@ end
       run_pair("waves.prm",
                folder,
                world,
-               {"Waves/simulate response=no",
+               {plain_bodies,
+                "Waves/simulate response=no",
                 "Waves/lowest speed=" + std::to_string(speed - near) + " rpm",
                 "Waves/highest speed=" + std::to_string(speed + near) + " rpm"});
       return read_columns(folder + "/waves_lines.csv");
@@ -143,7 +148,8 @@ end
     run_pair("waves.prm",
              "orders",
              world,
-             {"Waves/simulate response=no",
+             {plain_bodies,
+              "Waves/simulate response=no",
               "Waves/lowest speed=0 rpm",
               "Waves/highest speed=10000 rpm",
               "Waves/nodal diameters=0, 3, 4",
@@ -211,7 +217,8 @@ end
     run_pair("waves.prm",
              "swing",
              world,
-             {"Waves/simulate response=no",
+             {plain_bodies,
+              "Waves/simulate response=no",
               "Waves/lowest speed=1500 rpm",
               "Waves/highest speed=6000 rpm"});
     const Columns         low = read_columns("swing/waves_in_contact.csv");
@@ -317,6 +324,7 @@ end
   /** Three diameters of a pair of few teeth, whose steps are long and cheap. More points than
    * other tests have keep the ripple of its contact small, which excites both pairs unlike. */
   const std::vector<std::string> by_runs = {"Waves/solver=run",
+                                            "Reduced/store=bodies_of_runs",
                                             "Waves/nodal diameters=3",
                                             "Waves/lowest speed=22500 rpm",
                                             "Waves/highest speed=23500 rpm",
@@ -471,6 +479,8 @@ end
 
 int main(int argc, char **argv)
 {
+  for (const char *folder : {"plain_bodies", "bodies_of_runs"})
+    std::filesystem::remove_all(folder);
   write_file("waves.prm", coarse_pair("set body type = conical web", coarse_web));
   write_file("runs.prm", few_teeth("set body type = conical web", coarse_web));
   run_parts(argc,

@@ -90,12 +90,14 @@ namespace
     return sums;
   }
 
+  /** At this speed the transmission error lacks less than 1e-3 without centrifugal forces, which
+   * the analysis leaves out. */
   void slow_run(Communicator &world)
   {
     const std::string pair = on_shafts() + operation("1700 rpm");
     run_pair(write("slow_loaded",
                    kind("loaded tooth contact analysis") + pair +
-                     "subsection Loaded contact\nset positions = 8\nend\n"),
+                     "subsection Loaded contact\nset positions = 8\nset centrifugal = no\nend\n"),
              "slow_loaded",
              world);
     run_pair(write("slow_run", kind("run") + pair), "slow_run", world);

@@ -9,6 +9,7 @@ from ..plots.style import darken_edges
 
 OVERSAMPLING = 2
 LARGEST_BATCH = 3_000_000  # pixels of triangles treated at once
+LEAST_SHARE = -1e-9  # of a corner in a point: pixels on an edge are inside
 
 
 class Camera:
@@ -74,50 +75,71 @@ class Canvas:
         return low, high
 
     def _draw_batch(self, corners, at, bright, diagonal, low, high):
-        extent = high - low
-        size = extent[:, 0] * extent[:, 1]
-        triangle = np.repeat(np.arange(len(size)), size)
-        place = np.arange(len(triangle)) - np.repeat(np.cumsum(size) - size, size)
-        column = low[triangle, 0] + place % extent[triangle, 0]
-        row = low[triangle, 1] + place // extent[triangle, 0]
-
         # Barycentric coordinates are linear in column and row; their gradient's inverse length is
         # the distance of a corner from the opposite edge.
         x, y = corners[:, :, 0], corners[:, :, 1]
         area = (x[:, 1] - x[:, 0]) * (y[:, 2] - y[:, 0]) - (x[:, 2] - x[:, 0]) * (y[:, 1] - y[:, 0])
-        area = np.where(np.abs(area) > 1e-12, area, np.inf)
+        area = np.where(np.abs(area) > 1e-12, area, np.inf)[:, None]
+        following, last = [1, 2, 0], [2, 0, 1]
+        start_x, start_y = x[:, following], y[:, following]
+        dx, dy = (start_y - y[:, last]) / area, (x[:, last] - start_x) / area
+        triangle, row, column = self._list_pixels(low, high, start_x, start_y, dx, dy)
+
+        shares = []
         inside = np.ones(len(triangle), dtype=bool)
+        for k in range(3):
+            share = ((column - start_x[:, k][triangle]) * dx[:, k][triangle] +
+                     (row - start_y[:, k][triangle]) * dy[:, k][triangle])
+            inside &= share >= LEAST_SHARE
+            shares.append(share)
+        # Only what is seen has a value.
+        pixel = row * self.shape[1] + column
+        pixel, triangle, shares = pixel[inside], triangle[inside], [share[inside] for share in shares]
         height = np.zeros(len(triangle))
+        for k in range(3):
+            height += shares[k] * corners[:, k, 2][triangle]
+        kept = np.flatnonzero(height > self.height[pixel])
+        kept = kept[np.argsort(height[kept])]  # the nearest is written last
+        pixel, triangle, height = pixel[kept], triangle[kept], height[kept]
         value = np.zeros(len(triangle))
         edge = np.zeros(len(triangle), dtype=bool)
         for k in range(3):
-            i, j = (k + 1) % 3, (k + 2) % 3
-            dx, dy = (y[:, i] - y[:, j]) / area, (x[:, j] - x[:, i]) / area
-            share = ((column - x[triangle, i]) * dx[triangle] +
-                     (row - y[triangle, i]) * dy[triangle])
-            inside &= share >= -1e-9
-            height += share * corners[triangle, k, 2]
-            value += share * at[triangle, k]
-            reach = 0.5 * self.edge_width * np.hypot(dx, dy)
+            share = shares[k][kept]
+            value += share * at[:, k][triangle]
+            reach = 0.5 * self.edge_width * np.hypot(dx[:, k], dy[:, k])
             edge |= (share < reach[triangle]) & (diagonal[triangle] != k)
-        self._keep_nearest(row * self.shape[1] + column, inside, height, value,
-                           bright[triangle], edge)
+        self.height[pixel] = height
+        self.value[pixel] = value
+        self.brightness[pixel] = bright[triangle]
+        self.edge[pixel] = edge
 
-    def _keep_nearest(self, pixel, inside, height, value, bright, edge):
-        kept = np.flatnonzero(inside & (height > self.height[pixel]))
-        kept = kept[np.argsort(height[kept])]  # the nearest is written last
-        target = pixel[kept]
-        self.height[target] = height[kept]
-        self.value[target] = value[kept]
-        self.brightness[target] = bright[kept]
-        self.edge[target] = edge[kept]
+    @staticmethod
+    def _list_pixels(low, high, start_x, start_y, dx, dy):
+        """Triangle, row and column of all pixels in triangles, of few beside them and of none outside the boxes."""
+        extent = high - low
+        triangle = np.repeat(np.arange(len(extent)), extent[:, 1])
+        first = np.cumsum(extent[:, 1]) - extent[:, 1]
+        row = low[triangle, 1] + np.arange(len(triangle)) - first[triangle]
+        begin, end = low[triangle, 0], high[triangle, 0]
+        # The edges bound the columns of a row, but for edges along it; one pixel is left for round-off.
+        for k in range(3):
+            slope, rise = dx[:, k][triangle], dy[:, k][triangle]
+            bounds = np.abs(slope) > 1e-6 * np.abs(rise)
+            at = (start_x[:, k][triangle] +
+                  (LEAST_SHARE - (row - start_y[:, k][triangle]) * rise) / np.where(bounds, slope, 1))
+            at = np.clip(at, begin - 2, end + 2)
+            begin = np.where(bounds & (slope > 0), np.maximum(begin, np.floor(at).astype(int) - 1), begin)
+            end = np.where(bounds & (slope < 0), np.minimum(end, np.ceil(at).astype(int) + 2), end)
+        width = np.maximum(end - begin, 0)
+        shift = begin - (np.cumsum(width) - width)
+        return np.repeat(triangle, width), np.repeat(row, width), np.arange(width.sum()) + np.repeat(shift, width)
 
     def image(self, colour_map, lowest, largest):
         """Colours (rows, columns, 3), white where nothing is drawn."""
-        drawn = np.isfinite(self.height)
-        share = np.clip((self.value - lowest) / (largest - lowest), 0, 1)
-        colour = colour_map(np.where(drawn, share, 0))[:, :3]
-        colour = darken_edges(colour * self.brightness[:, None], self.edge)
-        colour = np.where(drawn[:, None], colour, 1)
+        drawn = np.flatnonzero(np.isfinite(self.height))
+        share = np.clip((self.value[drawn] - lowest) / (largest - lowest), 0, 1)
+        shaded = colour_map(share)[:, :3] * self.brightness[drawn][:, None]
+        colour = np.ones((len(self.height), 3))
+        colour[drawn] = darken_edges(shaded, self.edge[drawn])
         rows, columns = self.camera.pixels[1], self.camera.pixels[0]
         return colour.reshape(rows, OVERSAMPLING, columns, OVERSAMPLING, 3).mean(axis=(1, 3))
