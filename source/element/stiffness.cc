@@ -158,6 +158,28 @@ namespace vfife
   }
 
 
+  Eigen::Matrix<double, 9, 1> compute_bubbles(const ElementStrains               &strains,
+                                              const Material                     &material,
+                                              const Eigen::Matrix<double, 24, 1> &u)
+  {
+    if (!strains.has_bubbles)
+      return Eigen::Matrix<double, 9, 1>::Zero();
+
+    // As in compute_bubble_recovery(), with the stresses of u on the right.
+    const Eigen::Matrix<double, 6, 6> D      = compute_elasticity(material);
+    Eigen::Matrix<double, 9, 9>       bb     = Eigen::Matrix<double, 9, 9>::Zero();
+    Eigen::Matrix<double, 9, 1>       forces = Eigen::Matrix<double, 9, 1>::Zero();
+    for (unsigned int q = 0; q < 8; ++q)
+      {
+        const Eigen::Matrix<double, 9, 6> weighted =
+          strains.weight[q] * strains.bubble[q].transpose() * D;
+        bb.noalias() += weighted * strains.bubble[q];
+        forces += weighted * (strains.displacement[q] * u);
+      }
+    return -bb.ldlt().solve(forces);
+  }
+
+
   Matrix24
   compute_stiffness(const HexahedronNodes &X, const Material &material, const StiffnessKind kind)
   {

@@ -318,7 +318,7 @@ namespace vfife
       }
     // The same points in the same order as compute_element_points().
     const ElementStrains              strains = compute_element_strains(X, stiffness_of(element));
-    const Eigen::Matrix<double, 9, 1> bubbles = compute_bubble_recovery(strains, material) * u;
+    const Eigen::Matrix<double, 9, 1> bubbles = compute_bubbles(strains, material, u);
     Eigen::Matrix<double, 6, Eigen::Dynamic> stresses(6, 8);
     for (unsigned int q = 0; q < 8; ++q)
       stresses.col(q) = D * (strains.displacement[q] * u + strains.bubble[q] * bubbles);
