@@ -9,7 +9,7 @@ from ..plots.style import darken_edges
 
 OVERSAMPLING = 2
 LARGEST_BATCH = 3_000_000  # pixels of triangles treated at once
-LEAST_SHARE = -1e-9  # of a corner in a point: pixels on an edge are inside
+INSIDE_SHARE = -1e-9  # of a corner in a point: pixels on an edge are inside
 
 
 class Camera:
@@ -90,7 +90,7 @@ class Canvas:
         for k in range(3):
             share = ((column - start_x[:, k][triangle]) * dx[:, k][triangle] +
                      (row - start_y[:, k][triangle]) * dy[:, k][triangle])
-            inside &= share >= LEAST_SHARE
+            inside &= share >= INSIDE_SHARE
             shares.append(share)
         # Only what is seen has a value.
         pixel = row * self.shape[1] + column
@@ -126,7 +126,7 @@ class Canvas:
             slope, rise = dx[:, k][triangle], dy[:, k][triangle]
             bounds = np.abs(slope) > 1e-6 * np.abs(rise)
             at = (start_x[:, k][triangle] +
-                  (LEAST_SHARE - (row - start_y[:, k][triangle]) * rise) / np.where(bounds, slope, 1))
+                  (INSIDE_SHARE - (row - start_y[:, k][triangle]) * rise) / np.where(bounds, slope, 1))
             at = np.clip(at, begin - 2, end + 2)
             begin = np.where(bounds & (slope > 0), np.maximum(begin, np.floor(at).astype(int) - 1), begin)
             end = np.where(bounds & (slope < 0), np.minimum(end, np.ceil(at).astype(int) + 2), end)
