@@ -137,24 +137,41 @@ namespace vfife
   }
 
 
+  namespace
+  {
+    /** Bubbles without force on them, Kaa alpha + Kau u = 0, of nodal displacements with the
+     * strains
+     * @p strain_at(q), one column each. */
+    template <int n, typename Strain>
+    Eigen::Matrix<double, 9, n> balance_bubbles(const ElementStrains &strains,
+                                                const Material       &material,
+                                                const Strain         &strain_at)
+    {
+      if (!strains.has_bubbles)
+        return Eigen::Matrix<double, 9, n>::Zero();
+      const Eigen::Matrix<double, 6, 6> D      = compute_elasticity(material);
+      Eigen::Matrix<double, 9, 9>       bb     = Eigen::Matrix<double, 9, 9>::Zero();
+      Eigen::Matrix<double, 9, n>       forces = Eigen::Matrix<double, 9, n>::Zero();
+      for (unsigned int q = 0; q < 8; ++q)
+        {
+          const Eigen::Matrix<double, 9, 6> weighted =
+            strains.weight[q] * strains.bubble[q].transpose() * D;
+          bb += weighted * strains.bubble[q];
+          forces += weighted * strain_at(q);
+        }
+      return -bb.ldlt().solve(forces);
+    }
+  } // namespace
+
+
   Eigen::Matrix<double, 9, 24> compute_bubble_recovery(const ElementStrains &strains,
                                                        const Material       &material)
   {
-    if (!strains.has_bubbles)
-      return Eigen::Matrix<double, 9, 24>::Zero();
-
-    // No force on the bubbles: Kaa alpha + Kau u = 0.
-    const Eigen::Matrix<double, 6, 6> D  = compute_elasticity(material);
-    Eigen::Matrix<double, 9, 9>       bb = Eigen::Matrix<double, 9, 9>::Zero();
-    Eigen::Matrix<double, 9, 24>      bu = Eigen::Matrix<double, 9, 24>::Zero();
-    for (unsigned int q = 0; q < 8; ++q)
-      {
-        const Eigen::Matrix<double, 9, 6> weighted =
-          strains.weight[q] * strains.bubble[q].transpose() * D;
-        bb += weighted * strains.bubble[q];
-        bu += weighted * strains.displacement[q];
-      }
-    return -bb.ldlt().solve(bu);
+    return balance_bubbles<24>(strains,
+                               material,
+                               [&](const unsigned int q) -> const Eigen::Matrix<double, 6, 24> & {
+                                 return strains.displacement[q];
+                               });
   }
 
 
@@ -162,21 +179,9 @@ namespace vfife
                                               const Material                     &material,
                                               const Eigen::Matrix<double, 24, 1> &u)
   {
-    if (!strains.has_bubbles)
-      return Eigen::Matrix<double, 9, 1>::Zero();
-
-    // As in compute_bubble_recovery(), with the stresses of u on the right.
-    const Eigen::Matrix<double, 6, 6> D      = compute_elasticity(material);
-    Eigen::Matrix<double, 9, 9>       bb     = Eigen::Matrix<double, 9, 9>::Zero();
-    Eigen::Matrix<double, 9, 1>       forces = Eigen::Matrix<double, 9, 1>::Zero();
-    for (unsigned int q = 0; q < 8; ++q)
-      {
-        const Eigen::Matrix<double, 9, 6> weighted =
-          strains.weight[q] * strains.bubble[q].transpose() * D;
-        bb.noalias() += weighted * strains.bubble[q];
-        forces += weighted * (strains.displacement[q] * u);
-      }
-    return -bb.ldlt().solve(forces);
+    return balance_bubbles<1>(strains, material, [&](const unsigned int q) {
+      return Eigen::Matrix<double, 6, 1>(strains.displacement[q] * u);
+    });
   }
 
 
