@@ -139,9 +139,8 @@ namespace vfife
 
   namespace
   {
-    /** Bubbles without force on them, Kaa alpha + Kau u = 0, of nodal displacements with the
-     * strains
-     * @p strain_at(q), one column each. */
+    /** Kaa alpha + Kau u = 0, no force on the bubbles, for each column of @p strain_at(q): strains
+     * of nodal displacements at Gauss point q. */
     template <int n, typename Strain>
     Eigen::Matrix<double, 9, n> balance_bubbles(const ElementStrains &strains,
                                                 const Material       &material,

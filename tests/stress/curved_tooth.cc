@@ -1,7 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// One tooth of a pinion under pressure on curved elements with a layer of them under its surface,
-// against a reference of two other programs.
+// One tooth of a pinion under pressure on curved elements, with divided fillets and with a layer of
+// elements under its surface, against a reference of two other programs.
 #include "../gear/paper_pair.h"
+#include "../mesh/coarsest.h"
 #include "../mesh/paper_members.h"
 #include "../ranks.h"
 #include "../tests.h"
@@ -16,56 +17,88 @@
 
 using namespace vfife;
 
+namespace
+{
+  /** How far the results may be from the reference. */
+  struct Bounds
+  {
+    double deflection, compression; ///< [um], relative
+  };
+
+  void check_tooth(const std::string     &mesh,
+                   const GearBodyOptions &options,
+                   const FemOptions      &fem,
+                   const Bounds          &bounds,
+                   const Communicator    &world)
+  {
+    Model model;
+    model.add_body(Body("pinion", make_gear_body(paper::pinion(), options), Material()));
+    const Body &body = model.bodies[0];
+    Constraint  bore;
+    bore.name         = "bore";
+    bore.nodes        = body.node_set(node_set::bore);
+    model.constraints = {bore};
+    const Compliance compliance(model, fem, false, world);
+    check(mesh + "by one sector", compliance.by_sectors());
+
+    // 100 MPa on the concave flank of tooth 0.
+    Load load;
+    load.name     = "pressure";
+    load.kind     = LoadKind::pressure;
+    load.pressure = 100.;
+    for (const unsigned int node : body.mesh().surfaces.at(surface_name::concave).nodes)
+      if (body.structure().sector_of(node) == 0)
+        load.nodes.push_back(node);
+    const FemSpace     &space = compliance.space();
+    std::vector<double> forces(3 * std::size_t(space.n_points()), 0.);
+    add_load_forces(load, space, space.parts()[0], 1., forces);
+    Vector3 sum = Vector3::Zero();
+    for (unsigned int p = 0; p < space.n_points(); ++p)
+      sum += Vector3(forces[3 * p], forces[3 * p + 1], forces[3 * p + 2]);
+    // The reference has the flank's area 175.157 mm^2 and this force into the metal.
+    check_below(mesh + "force on the flank over that of the reference",
+                (sum + Vector3(3015.82, 13778.20, -10044.10)).norm() / 17317.,
+                1e-5);
+
+    const std::vector<double> u = compliance.solve(forces);
+    const double              deflection =
+      std::inner_product(u.begin(), u.end(), forces.begin(), 0.) / (100. * 175.157);
+    // 13.94 um within 0.04, 851 and -785 MPa.
+    check_close(mesh + "mean deflection of the flank [um]",
+                1e3 * deflection,
+                13.94,
+                bounds.deflection);
+    const auto         fillets = list_fillets(body);
+    const FilletFaces  faces(space, fillets);
+    const RootStresses found = find_largest(fillets, faces.of(u));
+    check_close(mesh + "largest tension [MPa]", found.tension, 851., .03 * 851.);
+    check_close(mesh + "largest compression [MPa]",
+                found.compression,
+                -785.,
+                bounds.compression * 785.);
+  }
+} // namespace
+
 int main(int argc, char **argv)
 {
   const TestRanks ranks(argc, argv);
-  GearBodyOptions options  = coarse(pinion_body_defaults());
-  options.cells_lengthwise = 8;
-  options.cells_across     = 4;
-  options.rim_rows         = 6;
-  options.surface_layer    = .7;
-  Model model;
-  model.add_body(Body("pinion", make_gear_body(paper::pinion(), options), Material()));
-  const Body &body = model.bodies[0];
-  Constraint  bore;
-  bore.name         = "bore";
-  bore.nodes        = body.node_set(node_set::bore);
-  model.constraints = {bore};
-  FemOptions fem;
+  FemOptions      fem;
   fem.element  = FemElement::quadratic;
   fem.geometry = FemGeometry::curved;
-  const Compliance compliance(model, fem, false, ranks.world);
-  check("by one sector", compliance.by_sectors());
 
-  // 100 MPa on the concave flank of tooth 0.
-  Load load;
-  load.name     = "pressure";
-  load.kind     = LoadKind::pressure;
-  load.pressure = 100.;
-  for (const unsigned int node : body.mesh().surfaces.at(surface_name::concave).nodes)
-    if (body.structure().sector_of(node) == 0)
-      load.nodes.push_back(node);
-  const FemSpace     &space = compliance.space();
-  std::vector<double> forces(3 * std::size_t(space.n_points()), 0.);
-  add_load_forces(load, space, space.parts()[0], 1., forces);
-  Vector3 sum = Vector3::Zero();
-  for (unsigned int p = 0; p < space.n_points(); ++p)
-    sum += Vector3(forces[3 * p], forces[3 * p + 1], forces[3 * p + 2]);
-  // The reference has the flank's area 175.157 mm^2 and this force into the metal.
-  check_below("force on the flank over that of the reference",
-              (sum + Vector3(3015.82, 13778.20, -10044.10)).norm() / 17317.,
-              1e-5);
+  // 13.90 um, 865 and -779 MPa with 12 elements lengthwise.
+  GearBodyOptions layered  = coarse(pinion_body_defaults());
+  layered.cells_lengthwise = 8;
+  layered.cells_across     = 4;
+  layered.rim_rows         = 6;
+  layered.surface_layer    = .7;
+  check_tooth("surface layer: ", layered, fem, {.1, .05}, ranks.world);
 
-  const std::vector<double> u = compliance.solve(forces);
-  const double              deflection =
-    std::inner_product(u.begin(), u.end(), forces.begin(), 0.) / (100. * 175.157);
-  // 13.94 um within 0.04; 13.90 with 12 elements lengthwise, 13.93 with cubic ones.
-  check_close("mean deflection of the flank [um]", 1e3 * deflection, 13.94, .1);
-  // 851 and -785 MPa; 865 and -779 MPa with 12 elements lengthwise.
-  const auto         fillets = list_fillets(body);
-  const FilletFaces  faces(space, fillets);
-  const RootStresses found = find_largest(fillets, faces.of(u));
-  check_close("largest tension [MPa]", found.tension, 851., .03 * 851.);
-  check_close("largest compression [MPa]", found.compression, -785., .05 * 785.);
+  // These fillets are up to 11 % short of what more divisions find on blocks that meet on the
+  // fillet: there 841 becomes 910 and 921 MPa.
+  GearBodyOptions divided  = coarsest(pinion_body_defaults());
+  divided.cells_lengthwise = 8;
+  fem.local_refinement     = {"fillets 1"};
+  check_tooth("divided fillets: ", divided, fem, {.25, .12}, ranks.world);
   return 0;
 }

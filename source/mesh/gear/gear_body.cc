@@ -35,8 +35,7 @@ namespace vfife
   {
     asked.check(gear.name(), gear.blank());
     check_gear_shaft(gear.name() + "/Shaft", gear, asked);
-    if (asked.surface_layer > 0.)
-      check_surface_layer(gear.name() + "/Mesh", gear, asked.fillet_corner, asked.surface_layer);
+    check_surface_layer(gear.name() + "/Mesh", gear, asked.fillet_corner, asked.surface_layer);
     // 1. The template of one sector.
     const GearBodyOptions options = asked.with_counts_of_size(gear);
     check_mesh_size(gear.name(), options.n_cells(gear.blank().teeth));

@@ -194,6 +194,8 @@ namespace vfife
                            const double        fillet_corner,
                            const double        depth)
   {
+    if (!(depth > 0.))
+      return;
     constexpr double    least_part_of_top_land = .2;
     const BlankOutline &blank                  = gear.blank();
     const auto          top_land               = [](const GearSection &of) {

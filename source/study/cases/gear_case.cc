@@ -188,17 +188,14 @@ namespace vfife
 
   void GearCase::check_surface_layers() const
   {
+    if (!(members_[0].body.surface_layer > 0.) && !(members_[1].body.surface_layer > 0.))
+      return;
+    const GearPair pair(pair_);
     for (unsigned int b = 0; b < 2; ++b)
-      {
-        const GearBodyOptions &body = members_[b].body;
-        if (!(body.surface_layer > 0.))
-          continue;
-        const GearPair pair(pair_);
-        check_surface_layer("Gear pair/" + members_[b].name + "/Mesh",
-                            b == 0 ? pair.pinion() : pair.gear(),
-                            body.fillet_corner,
-                            body.surface_layer);
-      }
+      check_surface_layer("Gear pair/" + members_[b].name + "/Mesh",
+                          b == 0 ? pair.pinion() : pair.gear(),
+                          members_[b].body.fillet_corner,
+                          members_[b].body.surface_layer);
   }
 
   void GearCase::check_bodies() const

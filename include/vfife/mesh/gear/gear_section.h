@@ -50,7 +50,7 @@ namespace vfife
                           double              depth);
 
   /** Throws InputError of the entry "surface layer" in @p section where layers of this @p depth
-   * [mm] leave less than a fifth of the top land between the two flanks. */
+   * [mm] leave less than a fifth of the top land between the two flanks. Nothing to check for 0. */
   void check_surface_layer(const std::string  &section,
                            const GearGeometry &gear,
                            double              fillet_corner,
