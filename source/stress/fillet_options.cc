@@ -40,6 +40,23 @@ namespace vfife
                    words,
                    "Teeth whose root stresses are recorded. in mesh: teeth in contact and one "
                    "more on each side; named: those of named teeth");
+    const Choices<FilletSource> sources = {{"submodel", FilletSource::submodel},
+                                           {"elements", FilletSource::elements}};
+    declare_choice(
+      prm,
+      "source",
+      source,
+      sources,
+      "Where root stresses and strains of gauges come from. submodel: curved quadratic "
+      "elements of three teeth, which follow the displacements of the mesh and have "
+      "its contact forces; elements: the elements of the mesh, whose root stresses are "
+      "too low on coarse meshes");
+    declare_integer(prm,
+                    "submodel elements along face width",
+                    submodel_elements,
+                    "Elements of submodels along the face width, of both members",
+                    2,
+                    100);
     declare_names(prm,
                   "named teeth",
                   named_teeth,

@@ -38,7 +38,7 @@ constexpr char coarse_web[] =
   "set elements through rim = 3\nset elements through web = 1\nset elements along web = 3\n"
   "set elements through hub = 1\nset elements beside web = 1";
 
-/** Sections of a run of one mesh cycle. */
+/** Sections of a run of one mesh cycle; root stresses are those of the mesh, without submodels. */
 inline std::string one_tooth_mesh(const std::string &tolerance)
 {
   return R"(
@@ -52,6 +52,9 @@ subsection Dynamics
     set tolerance = )" +
          tolerance + R"(
   end
+end
+subsection Fillets
+  set source = elements
 end
 subsection Output
   set samples per mesh cycle = 98

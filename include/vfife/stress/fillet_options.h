@@ -22,10 +22,19 @@ namespace vfife
     all
   };
 
+  /** Where the stresses at fillets of generated gears come from. */
+  enum class FilletSource
+  {
+    submodel, ///< a fine mesh of three teeth that follows the body
+    elements  ///< the elements of the body's own mesh
+  };
+
   /** Section Fillets. */
   struct FilletOptions
   {
-    RecordedTeeth                                     teeth = RecordedTeeth::none;
+    FilletSource                                      source            = FilletSource::submodel;
+    unsigned int                                      submodel_elements = 10; ///< along the face
+    RecordedTeeth                                     teeth             = RecordedTeeth::none;
     std::vector<std::string>                          named_teeth; ///< "pinion 0"
     std::vector<std::pair<std::string, GaugeOptions>> gauges;      ///< with their names
 

@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace vfife
@@ -189,6 +190,32 @@ namespace vfife
     return moved;
   }
 
+  namespace
+  {
+    /** Angle between the two flanks at the tip [rad]. */
+    double top_land(const GearSection &section)
+    {
+      return section.upper.back()[1] - section.lower.back()[1];
+    }
+  } // namespace
+
+  double find_largest_surface_layer(const GearGeometry &gear, const double fillet_corner)
+  {
+    // The top land loses width in proportion to the depth, as a small layer shows.
+    constexpr double    small = .05, part_of_top_land = .5;
+    const BlankOutline &blank = gear.blank();
+    double              most  = std::numeric_limits<double>::infinity();
+    for (const double L : {blank.inner_cone_distance(), blank.outer_cone_distance})
+      {
+        const GearSection outline = compute_gear_section(gear, L, 1);
+        const double      width   = top_land(outline),
+                     depth        = small * width * blank.meridian_point({L, blank.addendum(L)})[0],
+                     left         = top_land(move_inward(gear, outline, fillet_corner, depth));
+        most = std::min(most, part_of_top_land * depth * width / (width - left));
+      }
+    return most;
+  }
+
   void check_surface_layer(const std::string  &section,
                            const GearGeometry &gear,
                            const double        fillet_corner,
@@ -198,9 +225,6 @@ namespace vfife
       return;
     constexpr double    least_part_of_top_land = .2;
     const BlankOutline &blank                  = gear.blank();
-    const auto          top_land               = [](const GearSection &of) {
-      return of.upper.back()[1] - of.lower.back()[1];
-    };
     for (const double L : {blank.inner_cone_distance(), blank.outer_cone_distance})
       {
         const GearSection outline = compute_gear_section(gear, L, 1);

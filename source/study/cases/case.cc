@@ -50,6 +50,11 @@ namespace vfife
     return std::nullopt;
   }
 
+  std::optional<Model> Case::make_submodel_mesh(unsigned int) const
+  {
+    return std::nullopt;
+  }
+
   HertzContact Case::hertz_contact() const
   {
     return {};

@@ -69,14 +69,15 @@ namespace vfife
       LoadedFields                    fields;
       std::unique_ptr<LoadedPressure> pressure; ///< nullptr: is not asked for
 
-      Recorders(const Model         &model,
-                const FilletOptions &fillet_options,
-                OutputFolder        &folder,
-                const OutputOptions &output)
+      Recorders(const Model                         &model,
+                const FilletOptions                 &fillet_options,
+                std::unique_ptr<const RootSubmodels> submodels,
+                OutputFolder                        &folder,
+                const OutputOptions                 &output)
         : probes(model)
         , supports(model)
         , pattern(model)
-        , fillets(model, fillet_options)
+        , fillets(model, fillet_options, std::move(submodels))
         , parts(model)
         , fields(folder, model, output)
       {
@@ -87,14 +88,20 @@ namespace vfife
                const FemSpace              &space,
                const PairEquilibrium       &equilibrium,
                const PairEquilibriumResult &result,
-               const std::vector<Stress>   &stresses)
+               const std::vector<Stress>   &stresses,
+               const bool                   spins)
       {
         probes.add_position(position, stresses);
         supports.add_position(space, position, result);
         pattern.add_position(result);
         parts.look([&](const unsigned int node) { return von_mises(stresses[node]); });
         fields.add_position(position, space, equilibrium, result, stresses);
-        fillets.add_position(space, position, result);
+        fillets.add_position(space,
+                             position,
+                             equilibrium,
+                             result,
+                             pressure ? pressure->teeth() : std::vector<ToothPressure>(),
+                             spins);
       }
     };
 
@@ -301,7 +308,8 @@ namespace vfife
       turns.push_back(position.meshes * pitch);
     // One factorization serves all positions: bodies stay as they are in turning axes.
     PairEquilibrium equilibrium(model, compliance, turns);
-    Recorders       recorders(model, fillets_, folder, output_);
+    Recorders       recorders(
+      model, fillets_, make_root_submodels(gear_case_, fillets_, model, log), folder, output_);
     recorders.pressure             = make_pressure(model, compliance);
     LoadedPressure *const pressure = recorders.pressure.get();
     for (std::size_t i = 0; i < turns.size(); ++i)
@@ -326,7 +334,8 @@ namespace vfife
             errors.loaded += gear_case_.leaves_penalty_open() ? change : 0.;
           }
         add_position(model, errors, turn / pitch, result, stresses, log);
-        recorders.add(turn / pitch, compliance.space(), equilibrium, result, stresses);
+        recorders.add(
+          turn / pitch, compliance.space(), equilibrium, result, stresses, options_.centrifugal);
         log.line("  ",
                  result.iterations,
                  " iterations, residual ",

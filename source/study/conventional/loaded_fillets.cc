@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/log.h>
 #include <vfife/fem/pair/pair_equilibrium.h>
+#include <vfife/fem/pressure/pair_pressure.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/run_figures.h>
 #include <vfife/output/files/table_writer.h>
@@ -26,24 +27,72 @@ namespace vfife
     }
   } // namespace
 
-  LoadedFillets::LoadedFillets(const Model &model, const FilletOptions &options)
+  LoadedFillets::LoadedFillets(const Model                         &model,
+                               const FilletOptions                 &options,
+                               std::unique_ptr<const RootSubmodels> submodels)
     : model_(model)
     , stress_columns_(list_root_stress_columns())
     , gauge_columns_(list_gauge_columns())
-    , stress_(model, options)
+    , submodels_(std::move(submodels))
+    , stress_(submodels_ ? submodels_->fine() : model, options)
     , stresses_(make_loaded_root_stress_table())
     , gauges_(make_loaded_gauge_table())
   {
   }
 
-  void LoadedFillets::add_position(const FemSpace              &space,
-                                   const double                 position,
-                                   const PairEquilibriumResult &result)
+  FilletStrains LoadedFillets::follow(const FemSpace                   &space,
+                                      const PairEquilibrium            &equilibrium,
+                                      const PairEquilibriumResult      &result,
+                                      const std::vector<ToothPressure> &pressures,
+                                      const bool                        spins) const
+  {
+    const ContactPair                        &contact = model_.contacts.front();
+    std::array<RootSubmodels::MemberState, 2> states;
+    for (unsigned int b = 0; b < states.size(); ++b)
+      {
+        const Body                 &body    = model_.bodies[b];
+        const ToothSubmodel        &teeth   = submodels_->of_body(b);
+        const Matrix3               to_body = body.placement.rotation.transpose();
+        const unsigned int          first   = space.find_part(b)->first_point;
+        RootSubmodels::MemberState &state   = states[b];
+        state.rate                          = spins ? body.rate : 0.;
+        state.followed                      = [&, to_body, first](const unsigned int tooth) {
+          return teeth.follow(tooth, [&](const unsigned int node) -> Vector3 {
+            return to_body * Eigen::Map<const Vector3>(result.displacements.data() +
+                                                       3 * std::size_t(first + node));
+          });
+        };
+        if (pressures.empty())
+          for (const NodalForce &nodal : result.contact_forces)
+            if (nodal.body == b)
+              teeth.add_nodal_force(nodal.node, to_body * nodal.force, state.forces);
+        // Normals are out of the master, at the position.
+        const bool    is_slave = contact.slave_body == b;
+        const Matrix3 back     = to_body * equilibrium.rotation(b).transpose();
+        for (const ToothPressure &pressure : pressures)
+          for (std::size_t i = 0; i < pressure.grid.cells.size(); ++i)
+            teeth.add_force(is_slave ? contact.slave_surface : contact.master_surface,
+                            is_slave ? pressure.slave_group : pressure.master_group,
+                            pressure.places[is_slave ? 0 : 1][i],
+                            (is_slave ? 1. : -1.) * pressure.grid.force_of(i) *
+                              (back * pressure.grid.cells[i].normal),
+                            state.forces);
+      }
+    return submodels_->of(std::move(states));
+  }
+
+  void LoadedFillets::add_position(const FemSpace                   &space,
+                                   const double                      position,
+                                   const PairEquilibrium            &equilibrium,
+                                   const PairEquilibriumResult      &result,
+                                   const std::vector<ToothPressure> &pressures,
+                                   const bool                        spins)
   {
     // Bodies stay in the axes of time zero; turned teeth are their copies.
-    if (!faces_)
+    if (!faces_ && !submodels_)
       faces_ = std::make_unique<FilletFaces>(space, stress_.fillets());
-    const FilletStrains strains = faces_->of(result.displacements);
+    const FilletStrains strains = submodels_ ? follow(space, equilibrium, result, pressures, spins)
+                                             : faces_->of(result.displacements);
     add_rows(stress_columns_,
              position,
              stress_.measure(position, result.teeth, strains),

@@ -24,12 +24,13 @@ namespace vfife
                                       const PairEquilibrium       &equilibrium,
                                       const PairEquilibriumResult &result)
   {
-    const PairPressures found = pressure_.solve(equilibrium, result);
+    teeth_.clear();
+    PairPressures found = pressure_.solve(equilibrium, result);
     errors_.push_back((error + found.lead) / arcsecond);
     tables_.add({position, errors_.back()}, found.teeth);
-    n_teeth_ = found.teeth.size();
+    teeth_   = std::move(found.teeth);
     largest_ = 0;
-    for (const ToothPressure &tooth : found.teeth)
+    for (const ToothPressure &tooth : teeth_)
       largest_ = std::max(largest_, tooth.grid.pressures[tooth.grid.largest()]);
     return found.lead;
   }
@@ -39,7 +40,7 @@ namespace vfife
     if (errors_.empty())
       return "no pressures on their own grid";
     std::ostringstream text;
-    text << "pressure on its own grid: " << n_teeth_ << " teeth, largest " << largest_
+    text << "pressure on its own grid: " << teeth_.size() << " teeth, largest " << largest_
          << " MPa, transmission error " << errors_.back() << " arcsec";
     return text.str();
   }

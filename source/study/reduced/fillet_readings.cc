@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/model/model.h>
 #include <vfife/reduced/reduced_pair.h>
+#include <vfife/study/fillets/root_submodels.h>
 #include <vfife/study/reduced/fillet_readings.h>
 
 #include <map>
@@ -16,6 +17,11 @@ namespace vfife
     {
       return "strain " + member.fillet.side() + " fillet " + std::to_string(column) + " " +
              std::to_string(row);
+    }
+
+    std::string name_of_submodel_reading(const Eigen::Index row)
+    {
+      return "submodel reading " + std::to_string(row);
     }
 
     std::string name_of_gauge(const MemberGauge &gauge)
@@ -123,6 +129,50 @@ namespace vfife
         [&pair, read](const MemberGauge &gauge, const unsigned int tooth) {
           return read[gauge.body](pair.body(gauge.body).find_reading(name_of_gauge(gauge)), tooth);
         }};
+    };
+  }
+
+  std::vector<SectorReading> list_submodel_readings(const ToothSubmodel &submodel)
+  {
+    std::vector<SectorReading> readings;
+    const Eigen::MatrixXd     &weights = submodel.of_displacements();
+    for (Eigen::Index row = 0; row < weights.rows(); ++row)
+      {
+        readings.push_back({name_of_submodel_reading(row), {}, {}});
+        for (std::size_t i = 0; i < submodel.followed_nodes().size(); ++i)
+          readings.back().weights.emplace_back(submodel.followed_nodes()[i],
+                                               weights.block<1, 3>(row, 3 * i).transpose());
+      }
+    return readings;
+  }
+
+  FilletMeasure measure_submodel_readings(const Model         &model,
+                                          const RootSubmodels &submodels,
+                                          const ReducedPair   &pair)
+  {
+    return [&](const State &state) {
+      std::array<RootSubmodels::MemberState, 2> states;
+      for (unsigned int b = 0; b < states.size(); ++b)
+        {
+          const ToothSubmodel &submodel = submodels.of_body(b);
+          const unsigned int   first    = pair.body(b).find_reading(name_of_submodel_reading(0));
+          states[b].rate                = pair.body(b).rate;
+          states[b].followed = [&submodel, first, read = pair.reader(b)](const unsigned int tooth) {
+            Eigen::VectorXd values(submodel.of_displacements().rows());
+            for (Eigen::Index row = 0; row < values.size(); ++row)
+              values[row] = read(first + row, tooth);
+            return values;
+          };
+          // Forces act in the fixed frame, on the body as it has turned.
+          const Matrix3 to_body = pair.body_motion(b).rotation.transpose();
+          for (const unsigned int node : submodel.list_flank_nodes())
+            {
+              const Vector3 force = state.contact_force.value(model.bodies[b].first_node + node);
+              if (!force.isZero(0.))
+                submodel.add_nodal_force(node, to_body * force, states[b].forces);
+            }
+        }
+      return submodels.of(std::move(states));
     };
   }
 } // namespace vfife

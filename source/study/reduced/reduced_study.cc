@@ -21,6 +21,7 @@
 #include <vfife/study/cases/run_length.h>
 #include <vfife/study/cases/run_plan.h>
 #include <vfife/study/continuation.h>
+#include <vfife/study/fillets/root_submodels.h>
 #include <vfife/study/nearest_wave_summary.h>
 #include <vfife/study/pressure/instant_options.h>
 #include <vfife/study/pressure/pressure_writer.h>
@@ -202,7 +203,11 @@ namespace vfife
       {
         results.record_fillets(
           fillets_,
-          [&pair](const RootStress &) { return measure_fillet_readings(pair); },
+          submodels_.get(),
+          [&](const RootStress &, const RootSubmodels *const found) {
+            return found != nullptr ? measure_submodel_readings(model, *found, pair)
+                                    : measure_fillet_readings(pair);
+          },
           observers);
         results.record_pressures(instants_,
                                  make_fem_options(dynamics_),
@@ -241,7 +246,8 @@ namespace vfife
       SpeedSweepOptions     sweep_;
       PairSpeedSweepOptions sweep_options_;
 
-      std::optional<Checkpoint> checkpoint_;
+      std::optional<Checkpoint>            checkpoint_;
+      std::unique_ptr<const RootSubmodels> submodels_; ///< nullptr: elements of the pair
     };
 
     ReducedStudy::Motion ReducedStudy::make_motion(const std::vector<ReducedBody> &bodies) const
@@ -381,10 +387,13 @@ namespace vfife
       const auto   settled      = settle_penalties(gear_case_, dynamics_, communicator, log, model);
       const double mean_penalty = model.contacts.front().mean_penalty();
       std::optional<RootStress> roots;
-      if (fillets_.records())
+      if (is_motion())
+        submodels_ = make_root_submodels(gear_case_, fillets_, model, log);
+      if (fillets_.records() && !submodels_)
         roots.emplace(model, fillets_);
       const MoreReadings of_fillets = [&](const unsigned int b) {
-        return list_fillet_readings(model, *roots, b);
+        return submodels_ ? list_submodel_readings(submodels_->of_body(b))
+                          : list_fillet_readings(model, *roots, b);
       };
       std::vector<ReducedBody> bodies = reduce_pair(model,
                                                     options_,
@@ -393,7 +402,7 @@ namespace vfife
                                                     largest_factor(),
                                                     communicator,
                                                     log,
-                                                    roots ? of_fillets : nullptr);
+                                                    fillets_.records() ? of_fillets : nullptr);
       if (options_.exports)
         export_bodies(bodies, model, folder);
       const Motion motion = make_motion(bodies);

@@ -20,6 +20,7 @@
 #include <vfife/study/cases/case.h>
 #include <vfife/study/cases/run_length.h>
 #include <vfife/study/cases/torque_pressure.h>
+#include <vfife/study/fillets/root_submodels.h>
 #include <vfife/study/pressure/instant_options.h>
 #include <vfife/study/run/pair_results.h>
 #include <vfife/study/run/run_observers.h>
@@ -56,14 +57,15 @@ namespace vfife
       observers.add<MisalignmentWriter>(model_, history_steps_, std::move(motion_of));
   }
 
-  void PairResults::record_fillets(const FilletOptions                                    &options,
-                                   const std::function<FilletMeasure(const RootStress &)> &measure,
-                                   RunObservers &observers)
+  void PairResults::record_fillets(const FilletOptions       &options,
+                                   const RootSubmodels *const submodels,
+                                   const MakeFilletMeasure   &measure,
+                                   RunObservers              &observers)
   {
     if (!options.records())
       return;
-    fillets_.emplace(model_, options);
-    strains_       = measure(*fillets_);
+    fillets_.emplace(submodels != nullptr ? submodels->fine() : model_, options);
+    strains_       = measure(*fillets_, submodels);
     records_teeth_ = options.teeth != RecordedTeeth::none;
     if (records_teeth_)
       observers.add<RootStressWriter>(history_steps_, *fillets_, strains_);

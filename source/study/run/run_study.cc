@@ -19,6 +19,8 @@
 #include <vfife/study/cases/run_length.h>
 #include <vfife/study/cases/run_plan.h>
 #include <vfife/study/continuation.h>
+#include <vfife/study/fillets/root_submodels.h>
+#include <vfife/study/fillets/submodel_follower.h>
 #include <vfife/study/nearest_wave_summary.h>
 #include <vfife/study/pressure/contact_width_watch.h>
 #include <vfife/study/pressure/instant_options.h>
@@ -98,10 +100,13 @@ namespace vfife
     }
 
     /** Strains of fillets from where nodes are. */
-    std::function<FilletMeasure(const RootStress &)>
-    measure_places(const Model &model, const Communicator &communicator)
+    PairResults::MakeFilletMeasure measure_places(const Model        &model,
+                                                  const Communicator &communicator)
     {
-      return [&](const RootStress &stress) {
+      return [&](const RootStress &stress, const RootSubmodels *const submodels) -> FilletMeasure {
+        if (submodels != nullptr)
+          return [follower = SubmodelFollower(model, *submodels, communicator)](
+                   const State &state) mutable { return follower.measure(state); };
         return [places = FilletPlaces(model, stress, communicator)](const State &state) mutable {
           return places.measure(state);
         };
@@ -171,12 +176,13 @@ namespace vfife
       bool  run_once(OutputFolder &folder, Log &log);
       Model make_model(Log &log) const;
       /** Adds the writers of root stresses and pressures that are asked for. */
-      void                     record_stresses(const Model        &model,
-                                               double              end_time,
-                                               const Communicator &communicator,
-                                               Log                &log,
-                                               RunObservers       &observers,
-                                               PairResults        &pair) const;
+      void                     record_stresses(const Model         &model,
+                                               const RootSubmodels *submodels,
+                                               double               end_time,
+                                               const Communicator  &communicator,
+                                               Log                 &log,
+                                               RunObservers        &observers,
+                                               PairResults         &pair) const;
       double                   choose_step(double stable_step) const;
       std::vector<std::string> report_contradictions(const Model   &model,
                                                      SteppedSolver &stepped,
@@ -212,14 +218,15 @@ namespace vfife
     return model;
   }
 
-  void RunStudy::record_stresses(const Model        &model,
-                                 const double        end_time,
-                                 const Communicator &communicator,
-                                 Log                &log,
-                                 RunObservers       &observers,
-                                 PairResults        &pair) const
+  void RunStudy::record_stresses(const Model               &model,
+                                 const RootSubmodels *const submodels,
+                                 const double               end_time,
+                                 const Communicator        &communicator,
+                                 Log                       &log,
+                                 RunObservers              &observers,
+                                 PairResults               &pair) const
   {
-    pair.record_fillets(fillets_, measure_places(model, communicator), observers);
+    pair.record_fillets(fillets_, submodels, measure_places(model, communicator), observers);
     pair.record_parts(dynamics_, observers);
     pair.record_pressures(instants_,
                           make_fem_options(dynamics_),
@@ -310,9 +317,9 @@ namespace vfife
       return choose_step(stable_step);
     });
     stepped.log_step(model, log);
+    const auto submodels = make_root_submodels(*case_, fillets_, model, log);
 
-    // Checkpoints hold the observers' data in this order. A run that ends early states all its
-    // time.
+    // A run that ends early states all its time. Checkpoints hold the observers in this order.
     const double        dt            = stepped.dt;
     const Transmission *transmission  = transmission_of(model);
     const std::uint64_t history_steps = output_.compute_history_steps(transmission, dt);
@@ -336,7 +343,7 @@ namespace vfife
         probes.emplace(model, measure, log, count_meshes(*transmission, whole_time));
         pair.emplace(model, case_->hertz_contact(), output_, history_steps, end_time);
         pair->add_observers(observers);
-        record_stresses(model, whole_time, communicator, log, observers, *pair);
+        record_stresses(model, submodels.get(), whole_time, communicator, log, observers, *pair);
         pair->record_stress_waves(measure, observers);
         summary.figures =
           pair->list_figures(model.contacts.front().mean_penalty(), case_->arm_range());

@@ -5,7 +5,7 @@
 #include "../few_teeth.h"
 #include "../gear_model.h"
 
-#include <vfife/study/conventional/fillet_faces.h>
+#include <vfife/study/fillets/fillet_faces.h>
 
 using namespace vfife;
 

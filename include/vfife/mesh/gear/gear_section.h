@@ -56,6 +56,10 @@ namespace vfife
                            double              fillet_corner,
                            double              depth);
 
+  /** Depth of layers [mm] that leave half of the top land between the two flanks, at toe and heel.
+   */
+  double find_largest_surface_layer(const GearGeometry &gear, double fillet_corner);
+
   /** The n + 1 sections at even steps of L from toe to heel. */
   std::vector<GearSection> compute_gear_sections(const GearGeometry &gear,
                                                  unsigned int        n,

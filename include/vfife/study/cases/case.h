@@ -92,6 +92,10 @@ namespace vfife
      * runs have to be; nothing where these make up for the contact alone. */
     virtual std::optional<Model> make_reference_model() const;
 
+    /** The same pair on the mesh of which submodels of its teeth are taken (RootSubmodels); nothing
+     * without teeth that are generated. */
+    virtual std::optional<Model> make_submodel_mesh(unsigned int cells_lengthwise) const;
+
     /** Outlines of pinion and gear; nothing without teeth. */
     virtual std::optional<std::array<BlankOutline, 2>> outlines() const;
 

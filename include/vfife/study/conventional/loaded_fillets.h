@@ -4,7 +4,8 @@
 
 #include <vfife/output/files/figures.h>
 #include <vfife/output/measures/root_stress.h>
-#include <vfife/study/conventional/fillet_faces.h>
+#include <vfife/study/fillets/fillet_faces.h>
+#include <vfife/study/fillets/root_submodels.h>
 
 #include <memory>
 
@@ -12,18 +13,30 @@ namespace vfife
 {
   class Log;
   class OutputFolder;
+  class PairEquilibrium;
   struct PairEquilibriumResult;
+  struct ToothPressure;
 
   /** Root stresses and gauges of a loaded tooth contact analysis: root_stress.csv, gauges.csv,
    * fillet_envelope.csv, root_sections.csv. */
   class LoadedFillets
   {
   public:
-    /** As RootStress. */
-    LoadedFillets(const Model &model, const FilletOptions &options);
+    /** As RootStress. @p submodels: of the model; without them the model's own elements are read.
+     */
+    LoadedFillets(const Model                         &model,
+                  const FilletOptions                 &options,
+                  std::unique_ptr<const RootSubmodels> submodels);
 
-    /** At a position [mesh cycles]; all of one space. */
-    void add_position(const FemSpace &space, double position, const PairEquilibriumResult &result);
+    /** At the last position of @p equilibrium [mesh cycles]; all of one space. @p pressures: on
+     * grids of their own, by which the flanks of submodels are loaded; empty: by the nodal forces.
+     */
+    void add_position(const FemSpace                   &space,
+                      double                            position,
+                      const PairEquilibrium            &equilibrium,
+                      const PairEquilibriumResult      &result,
+                      const std::vector<ToothPressure> &pressures,
+                      bool                              spins);
 
     /** Says the largest stresses and writes what there is. */
     void write(const OutputFolder &folder, Log &log) const;
@@ -31,12 +44,19 @@ namespace vfife
     NamedFigures list_figures() const;
 
   private:
-    const Model                    &model_;
-    SampleColumns<RootStressSample> stress_columns_;
-    SampleColumns<GaugeSample>      gauge_columns_;
-    RootStress                      stress_;
-    std::unique_ptr<FilletFaces>    faces_; ///< of the space of the first position
-    Table                           stresses_, gauges_;
+    FilletStrains follow(const FemSpace                   &space,
+                         const PairEquilibrium            &equilibrium,
+                         const PairEquilibriumResult      &result,
+                         const std::vector<ToothPressure> &pressures,
+                         bool                              spins) const;
+
+    const Model                         &model_;
+    SampleColumns<RootStressSample>      stress_columns_;
+    SampleColumns<GaugeSample>           gauge_columns_;
+    std::unique_ptr<const RootSubmodels> submodels_;
+    RootStress                           stress_;
+    std::unique_ptr<FilletFaces>         faces_; ///< of the space of the first position
+    Table                                stresses_, gauges_;
   };
 } // namespace vfife
 

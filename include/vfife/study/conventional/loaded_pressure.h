@@ -30,6 +30,12 @@ namespace vfife
                         const PairEquilibrium       &equilibrium,
                         const PairEquilibriumResult &result);
 
+    /** Of the last position; empty where none were found. */
+    const std::vector<ToothPressure> &teeth() const
+    {
+      return teeth_;
+    }
+
     /** The grids of the last position, in words. */
     std::string describe() const;
 
@@ -39,11 +45,11 @@ namespace vfife
     NamedFigures list_figures() const;
 
   private:
-    PairPressure        pressure_;
-    PressureTables      tables_;
-    std::vector<double> errors_; ///< transmission errors of the positions [arcsec]
-    std::size_t         n_teeth_ = 0;
-    double              largest_ = 0; ///< pressure of the last position [MPa]
+    PairPressure               pressure_;
+    PressureTables             tables_;
+    std::vector<double>        errors_; ///< transmission errors of the positions [arcsec]
+    std::vector<ToothPressure> teeth_;
+    double                     largest_ = 0; ///< pressure of the last position [MPa]
   };
 } // namespace vfife
 

@@ -8,6 +8,8 @@
 namespace vfife
 {
   class ReducedPair;
+  class RootSubmodels;
+  class ToothSubmodel;
 
   /** Strains of the facets of both fillets, three components each, and of gauges: readings of a
    * sector of @p body. Linear in small displacements, so their weights are what unit displacements
@@ -18,6 +20,14 @@ namespace vfife
   /** What those readings are of a pair whose bodies have them; @p pair must outlive the function.
    */
   FilletMeasure measure_fillet_readings(const ReducedPair &pair);
+
+  /** The same by submodels: ToothSubmodel::follow() of tooth 0. */
+  std::vector<SectorReading> list_submodel_readings(const ToothSubmodel &submodel);
+
+  /** Of a pair whose bodies have those. All that is given must outlive the function. */
+  FilletMeasure measure_submodel_readings(const Model         &model,
+                                          const RootSubmodels &submodels,
+                                          const ReducedPair   &pair);
 } // namespace vfife
 
 #endif

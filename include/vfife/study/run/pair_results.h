@@ -19,6 +19,7 @@ namespace vfife
   class Case;
   class Log;
   class OutputFolder;
+  class RootSubmodels;
   class RunObservers;
   class Table;
   struct DynamicsOptions;
@@ -44,11 +45,15 @@ namespace vfife
                        RimWriter::Measure measure_rim = nullptr,
                        RingMotions        motion_of   = nullptr);
 
-    /** Adds the writers of root stresses and gauges that @p options ask for; @p measure makes what
-     * gives their strains. */
-    void record_fillets(const FilletOptions                                    &options,
-                        const std::function<FilletMeasure(const RootStress &)> &measure,
-                        RunObservers                                           &observers);
+    /** What gives the strains of fillets: by submodels, or without them by the run's elements. */
+    using MakeFilletMeasure =
+      std::function<FilletMeasure(const RootStress &, const RootSubmodels *)>;
+
+    /** Adds the writers of root stresses and gauges that @p options ask for. */
+    void record_fillets(const FilletOptions     &options,
+                        const RootSubmodels     *submodels,
+                        const MakeFilletMeasure &measure,
+                        RunObservers            &observers);
 
     /** Adds the writers of waves of stress that Output/stress wave diameters asks for, of probes
      * and of the fillets that are recorded. Throws InputError for diameters that the sectors cannot

@@ -3,7 +3,7 @@
 from itertools import islice
 
 from ..data.columns import CONTACT_FORCE, TRANSMISSION_ERROR
-from .accuracy import AT_CORNERS, GRID_ERROR, INSIDE, MEAN_ERROR, RIPPLE_ERROR, ROOT_ERROR, find_degree
+from .accuracy import AT_CORNERS, GRID_ERROR, INSIDE, MEAN_ERROR, RIPPLE_ERROR, describe_root, find_degree
 from .kind_results import (list_contact_results, list_frequencies, list_lumped_results, list_mesh_results, list_model_results,
                            list_order_results, list_speed_results, list_wave_results)
 from .kinds import find_kind
@@ -52,7 +52,7 @@ def list_loaded_results(run):
         yield "contact pressure, largest inside the flanks", *find("largest pressure inside on its own grid"), GRID_ERROR
     else:
         yield "contact pressure (Hertz), largest", find_largest_pressure(run), "MPa", INSIDE
-    yield "root tension, largest of pinion and gear", *find("pinion root tension", "gear root tension"), ROOT_ERROR[degree]
+    yield "root tension, largest of pinion and gear", *find("pinion root tension", "gear root tension"), describe_root(run, degree)
 
 
 RESULTS_OF = {"pair run": list_run_results, "loaded analysis": list_loaded_results, "contact analysis": list_contact_results,

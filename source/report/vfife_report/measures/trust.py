@@ -4,7 +4,7 @@ reason."""
 from ..data.naming import describe_pair
 from ..data.table import read_table
 from .accuracy import (DAMPING_PAGE, EDGE_ERROR, FREQUENCY_ERROR, GRID_ERROR, LAG_ERROR, LIMITS_PAGE, MEAN_ERROR, MESH_PAGE, ONE_MESH,
-                       PAIR_PAGE, RIPPLE_ERROR, ROOT_ERROR, VARIANTS_PAGE, find_degree)
+                       PAIR_PAGE, RIPPLE_ERROR, VARIANTS_PAGE, describe_root, find_degree)
 from .kind_results import list_refined
 from .kinds import find_kind
 from .main_results import describe_mean
@@ -38,7 +38,7 @@ def trust_stresses(run, degree):
            "doc/how-to/contact-pressure.md"]
     if run.has_file("pressure.csv"):
         yield ["contact pressure on the own grid", "", f"inside the flanks {GRID_ERROR}; at edges unbounded", "doc/verification/contact.md"]
-    yield ["root stress", "", ROOT_ERROR[degree], "doc/how-to/root-stress.md"]
+    yield ["root stress", "", describe_root(run, degree), "doc/how-to/root-stress.md"]
     yield ["stress of web, rim and hub", "", "converged away from sharp corners, where it is unbounded", LIMITS_PAGE]
 
 

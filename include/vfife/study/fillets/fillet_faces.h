@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_study_conventional_fillet_faces_h
-#define vfife_study_conventional_fillet_faces_h
+#ifndef vfife_study_fillets_fillet_faces_h
+#define vfife_study_fillets_fillet_faces_h
 
 #include <vfife/fem/system/fem_space.h>
 #include <vfife/output/measures/root_stress.h>

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/model/load_shares.h>
-#include <vfife/study/conventional/fillet_faces.h>
+#include <vfife/study/fillets/face_strains.h>
+#include <vfife/study/fillets/fillet_faces.h>
 
 #include <algorithm>
 
@@ -54,40 +55,21 @@ namespace vfife
                                       const std::array<unsigned int, 4> nodes,
                                       const std::vector<double>        &u) const
   {
-    // Directions in the tangent plane at each point: along the facet's first side, and across.
-    const Body   &body = space_->model().bodies[member.body];
-    const Vector3 along =
-      body.placement.rotation * (body.node_positions()[nodes[1]] - body.node_positions()[nodes[0]] +
-                                 body.node_positions()[nodes[2]] - body.node_positions()[nodes[3]]);
-    SurfaceTensor worst   = SurfaceTensor::Zero();
-    double        largest = -1.;
+    const Body   &body  = space_->model().bodies[member.body];
+    const Vector3 along = body.placement.rotation * direction_along_face(body, nodes);
+    WorstStrain   worst(member.fillet.material());
     for (const auto &points : faces_.at({member.body, sorted(nodes)}))
       {
-        ElementNodes X(3, points.size()), v(3, points.size());
+        ElementNodes    X(3, points.size());
+        Eigen::VectorXd v(3 * points.size());
         for (std::size_t i = 0; i < points.size(); ++i)
           {
-            X.col(i) = space_->points()[points[i]];
-            v.col(i) = Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(points[i]));
+            X.col(i)            = space_->points()[points[i]];
+            v.segment<3>(3 * i) = Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(points[i]));
           }
-        for (const Eigen::MatrixXd &gradients : face_gradients(space_->degree()))
-          {
-            const Eigen::Matrix<double, 3, 2> tangents = X * gradients.transpose();
-            const Vector3 normal = tangents.col(0).cross(tangents.col(1)).normalized();
-            Eigen::Matrix<double, 3, 2> axes;
-            axes.col(0)                     = (along - along.dot(normal) * normal).normalized();
-            axes.col(1)                     = normal.cross(axes.col(0));
-            const Eigen::Matrix2d   to_axes = (axes.transpose() * tangents).inverse();
-            const Eigen::Matrix2d   H = axes.transpose() * (v * gradients.transpose()) * to_axes;
-            const SurfaceTensor     strain(H(0, 0), H(1, 1), .5 * (H(0, 1) + H(1, 0)));
-            const PrincipalStresses stresses =
-              compute_principal_stresses(compute_surface_stress(strain, member.fillet.material()));
-            if (const double size = std::max(stresses.first, -stresses.third); size > largest)
-              {
-                largest = size;
-                worst   = strain;
-              }
-          }
+        for (const Eigen::MatrixXd &strain : list_face_strains(X, along, space_->degree()))
+          worst.add(strain * v);
       }
-    return worst;
+    return worst.strain();
   }
 } // namespace vfife

@@ -1,0 +1,18 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_study_fillets_facet_readings_h
+#define vfife_study_fillets_facet_readings_h
+
+#include <vfife/fem/submodel/tooth_submodel.h>
+
+#include <array>
+#include <vector>
+
+namespace vfife
+{
+  /** SurfaceTensor of strain, three readings each, at the Gauss points of the faces that make up a
+   * fillet's facet of tooth 0. */
+  std::vector<PointReading> read_facet(const FemSpace                    &sector,
+                                       const std::array<unsigned int, 4> &facet);
+} // namespace vfife
+
+#endif

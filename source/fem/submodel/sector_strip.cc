@@ -1,0 +1,276 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sector_strip.h"
+
+#include <vfife/base/process/communicator.h>
+#include <vfife/fem/solvers/direct_solver.h>
+#include <vfife/fem/system/fem_matrix.h>
+#include <vfife/mesh/body_mesh.h>
+#include <vfife/mesh/gear/gear_sector.h>
+#include <vfife/mesh/node_set_names.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <set>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Readings that are solved for together. */
+    constexpr Eigen::Index solved_at_once = 96;
+
+    /** Whether an element of the body belongs to what a strip is made of. */
+    bool is_of_teeth(const Body &body, const unsigned int element)
+    {
+      const auto region =
+        std::next(body.mesh().triangulation.begin_active(), element)->material_id();
+      return region == static_cast<unsigned int>(GearRegion::tooth) ||
+             region == static_cast<unsigned int>(GearRegion::rim);
+    }
+
+    /** Nodes by which a body without a web is held or turned. */
+    std::vector<unsigned int> held_nodes(const Body &body)
+    {
+      for (const char *name : {node_set::bore, node_set::rim_underside})
+        if (body.has_node_set(name))
+          return body.node_set(name);
+      return {};
+    }
+  } // namespace
+
+  SectorStrip::SectorStrip(const FemSpace &sector)
+    : sector_(sector)
+    , originals_(sector.images().begin(), sector.images().end())
+  {
+    add_elements();
+    number_unknowns();
+  }
+
+  Matrix3 SectorStrip::rotation(const int turned) const
+  {
+    return Eigen::AngleAxisd(turned * sector_.sector_angle(), Vector3::UnitZ()).toRotationMatrix();
+  }
+
+  Vector3 SectorStrip::body_place(const unsigned int point) const
+  {
+    const RigidMotion &placement = sector_.model().bodies[sector_.parts().front().body].placement;
+    return placement.rotation.transpose() * (sector_.points()[point] - placement.translation);
+  }
+
+  unsigned int SectorStrip::number(const int turned, const unsigned int point) const
+  {
+    const auto image = originals_.find(point);
+    return numbers_.at(image == originals_.end() ? std::make_pair(turned, point)
+                                                 : std::make_pair(turned + 1, image->second));
+  }
+
+  void SectorStrip::add_elements()
+  {
+    const FemSpace::Part &part = sector_.parts().front();
+    const Body           &body = sector_.model().bodies[part.body];
+    for (int turned = -beside; turned <= beside; ++turned)
+      for (unsigned int e = 0; e < sector_.n_elements(); ++e)
+        {
+          if (!is_of_teeth(body, sector_.body_element(e)))
+            continue;
+          Element element{e, turned, {}};
+          for (unsigned int a = 0; a < sector_.points_per_element(); ++a)
+            {
+              const unsigned int point = sector_.element_points(e)[a];
+              const auto         image = originals_.find(point);
+              const auto         key   = image == originals_.end()
+                                           ? std::make_pair(turned, point)
+                                           : std::make_pair(turned + 1, image->second);
+              const auto [place, is_new] =
+                numbers_.try_emplace(key, static_cast<unsigned int>(points_.size()));
+              if (is_new)
+                points_.push_back(rotation(key.first) * body_place(key.second));
+              element.points.push_back(place->second);
+            }
+          elements_.push_back(std::move(element));
+        }
+    stiffness_.resize(sector_.n_elements());
+    for (const Element &element : elements_)
+      if (element.turned == 0)
+        stiffness_[element.of_sector] = compute_fem_stiffness(places_of(element),
+                                                              sector_.material(element.of_sector),
+                                                              sector_.element());
+  }
+
+  void SectorStrip::number_unknowns()
+  {
+    const FemSpace::Part  &part = sector_.parts().front();
+    const Body            &body = sector_.model().bodies[part.body];
+    std::set<unsigned int> cut, lower_side;
+    for (const auto &image : originals_)
+      lower_side.insert(image.second);
+    const auto original = [this](const unsigned int point) {
+      const auto image = originals_.find(point);
+      return image == originals_.end() ? point : image->second;
+    };
+    // What the rest of the body has as well, and what is held or turned.
+    for (unsigned int e = 0; e < sector_.n_elements(); ++e)
+      if (!is_of_teeth(body, sector_.body_element(e)))
+        for (unsigned int a = 0; a < sector_.points_per_element(); ++a)
+          cut.insert(original(sector_.element_points(e)[a]));
+    if (cut.empty())
+      for (const unsigned int point : sector_.points_of(part, held_nodes(body)))
+        cut.insert(original(point));
+    first_unknown_.assign(points_.size(), -1);
+    for (const auto &[key, number] : numbers_)
+      {
+        const bool at_side =
+          (key.first == -beside && lower_side.count(key.second) > 0) || key.first == beside + 1;
+        if (at_side || cut.count(key.second) > 0)
+          cut_.push_back(number);
+        else
+          first_unknown_[number] = 0;
+      }
+    std::sort(cut_.begin(), cut_.end());
+    for (int &first : first_unknown_)
+      if (first == 0)
+        {
+          first = n_unknowns_;
+          n_unknowns_ += 3;
+        }
+  }
+
+  ElementNodes SectorStrip::places_of(const Element &element) const
+  {
+    ElementNodes X(3, element.points.size());
+    for (std::size_t a = 0; a < element.points.size(); ++a)
+      X.col(a) = points_[element.points[a]];
+    return X;
+  }
+
+  Eigen::MatrixXd SectorStrip::stiffness_of(const Element &element) const
+  {
+    const Matrix3   Q = rotation(element.turned);
+    Eigen::MatrixXd K = stiffness_[element.of_sector];
+    for (Eigen::Index a = 0; a < K.rows(); a += 3)
+      K.middleRows<3>(a) = (Q * K.middleRows<3>(a)).eval();
+    for (Eigen::Index a = 0; a < K.cols(); a += 3)
+      K.middleCols<3>(a) = (K.middleCols<3>(a) * Q.transpose()).eval();
+    return K;
+  }
+
+  namespace
+  {
+    /** Rows of all unknowns; each point couples to its @p neighbours, which are ascending. */
+    std::shared_ptr<SparsePattern> make_pattern(const std::vector<std::vector<int>> &neighbours,
+                                                const Communicator                  &communicator)
+    {
+      auto pattern          = std::make_shared<SparsePattern>();
+      pattern->communicator = &communicator;
+      pattern->n            = 3 * neighbours.size();
+      pattern->begin        = {0};
+      for (const std::vector<int> &own : neighbours)
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            for (const int first : own)
+              pattern->columns.insert(pattern->columns.end(), {first, first + 1, first + 2});
+            pattern->begin.push_back(pattern->columns.size());
+          }
+      return pattern;
+    }
+  } // namespace
+
+  FemMatrix SectorStrip::make_matrix(const Communicator &communicator) const
+  {
+    std::vector<std::vector<int>> neighbours(n_unknowns_ / 3);
+    for (const Element &element : elements_)
+      for (const unsigned int a : element.points)
+        for (const unsigned int b : element.points)
+          if (!is_cut(a) && !is_cut(b))
+            neighbours[first_unknown_[a] / 3].push_back(first_unknown_[b]);
+    for (std::vector<int> &own : neighbours)
+      {
+        std::sort(own.begin(), own.end());
+        own.erase(std::unique(own.begin(), own.end()), own.end());
+      }
+    FemMatrix matrix(make_pattern(neighbours, communicator));
+    for (const Element &element : elements_)
+      {
+        const Eigen::MatrixXd K = stiffness_of(element);
+        for (std::size_t a = 0; a < element.points.size(); ++a)
+          for (std::size_t b = 0; b < element.points.size(); ++b)
+            {
+              const int row    = first_unknown_[element.points[a]],
+                        column = first_unknown_[element.points[b]];
+              for (unsigned int c = 0; row >= 0 && column >= 0 && c < 3; ++c)
+                {
+                  double *values = &matrix.at(row + c, column);
+                  for (unsigned int d = 0; d < 3; ++d)
+                    values[d] += K(3 * a + c, 3 * b + d);
+                }
+            }
+      }
+    return matrix;
+  }
+
+  SectorStrip::Influence
+  SectorStrip::find_influence(const std::vector<PointReading> &readings) const
+  {
+    // Of displacements u of the unknowns and v at the cut a reading is a u + b v. K u = f - C v, so
+    // it is y f + (b - y C) v with K y = a.
+    std::vector<int> place_in_cut(points_.size(), -1);
+    for (std::size_t i = 0; i < cut_.size(); ++i)
+      place_in_cut[cut_[i]] = i;
+    Influence influence;
+    influence.of_forces.setZero(readings.size(), 3 * points_.size());
+    influence.of_cut.setZero(readings.size(), 3 * cut_.size());
+    const Communicator alone(MPI_COMM_SELF);
+    const DirectSolver solver(make_matrix(alone));
+    for (Eigen::Index begin = 0; begin < influence.of_forces.rows(); begin += solved_at_once)
+      {
+        const Eigen::Index n = std::min(solved_at_once, influence.of_forces.rows() - begin);
+        Eigen::MatrixXd    y = Eigen::MatrixXd::Zero(n_unknowns_, n);
+        for (Eigen::Index k = 0; k < n; ++k)
+          for (const auto &[point, weight] : readings[begin + k])
+            if (const unsigned int p = number(0, point); is_cut(p))
+              influence.of_cut.row(begin + k).segment<3>(3 * place_in_cut[p]) += weight.transpose();
+            else
+              y.col(k).segment<3>(first_unknown_[p]) += weight;
+        solver.solve(y.data(), n);
+        for (std::size_t p = 0; p < points_.size(); ++p)
+          if (!is_cut(p))
+            influence.of_forces.block(begin, 3 * p, n, 3) =
+              y.middleRows<3>(first_unknown_[p]).transpose();
+      }
+    for (const Element &element : elements_)
+      {
+        if (std::none_of(element.points.begin(), element.points.end(), [this](const auto p) {
+              return is_cut(p);
+            }))
+          continue;
+        const Eigen::MatrixXd K = stiffness_of(element);
+        for (std::size_t b = 0; b < element.points.size(); ++b)
+          if (const int place = place_in_cut[element.points[b]]; place >= 0)
+            for (std::size_t a = 0; a < element.points.size(); ++a)
+              // Columns of points at the cut are zero.
+              influence.of_cut.middleCols<3>(3 * place).noalias() -=
+                influence.of_forces.middleCols<3>(3 * element.points[a]) *
+                K.block<3, 3>(3 * a, 3 * b);
+      }
+    return influence;
+  }
+
+  Eigen::VectorXd SectorStrip::compute_spin_forces() const
+  {
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(3 * points_.size());
+    for (const Element &element : elements_)
+      {
+        const ElementNodes X       = places_of(element);
+        const double       density = sector_.material(element.of_sector).density;
+        for (const ElementPoint &at : compute_element_points(X))
+          {
+            Vector3 outward = X * at.N;
+            outward[2]      = 0.;
+            for (std::size_t a = 0; a < element.points.size(); ++a)
+              forces.segment<3>(3 * element.points[a]) += density * at.weight * at.N[a] * outward;
+          }
+      }
+    return forces;
+  }
+} // namespace vfife

@@ -1,0 +1,89 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_fem_submodel_sector_strip_h
+#define vfife_fem_submodel_sector_strip_h
+
+#include <vfife/fem/submodel/point_reading.h>
+#include <vfife/fem/system/fem_space.h>
+
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace vfife
+{
+  class Communicator;
+  class FemMatrix;
+
+  /** Teeth and rim of the sectors -1, 0 and 1 of a gear body, in the axes of the body. Points where
+   * they are cut from the rest of the body have given displacements. */
+  class SectorStrip
+  {
+  public:
+    static constexpr int beside = 1; ///< sectors on either side
+
+    /** @p sector must outlive the strip. */
+    explicit SectorStrip(const FemSpace &sector);
+
+    /** [mm]. */
+    const std::vector<Vector3> &points() const
+    {
+      return points_;
+    }
+    /** Of the sector's point, turned by so many sectors; images of the next one included. */
+    unsigned int number(int turned, unsigned int point) const;
+
+    /** Points with given displacements. */
+    const std::vector<unsigned int> &cut() const
+    {
+      return cut_;
+    }
+    unsigned int n_unknowns() const
+    {
+      return n_unknowns_;
+    }
+
+    /** What the displacement of something is made of, a row each. */
+    struct Influence
+    {
+      Eigen::MatrixXd of_forces; ///< at all points; a column per component [mm/N]
+      Eigen::MatrixXd of_cut;    ///< displacements at the cut [-]
+    };
+    /** @p readings of points of the sector where it is not turned. */
+    Influence find_influence(const std::vector<PointReading> &readings) const;
+
+    /** Centrifugal forces on all points at 1 rad/s [N]. */
+    Eigen::VectorXd compute_spin_forces() const;
+
+  private:
+    struct Element
+    {
+      unsigned int              of_sector; ///< the element of the sector that it is a copy of
+      int                       turned;
+      std::vector<unsigned int> points;
+    };
+
+    void            add_elements();
+    void            number_unknowns();
+    FemMatrix       make_matrix(const Communicator &communicator) const;
+    Vector3         body_place(unsigned int point) const;
+    Matrix3         rotation(int turned) const;
+    Eigen::MatrixXd stiffness_of(const Element &element) const;
+    ElementNodes    places_of(const Element &element) const;
+    bool            is_cut(const unsigned int point) const
+    {
+      return first_unknown_[point] < 0;
+    }
+
+    const FemSpace                                      &sector_;
+    std::map<unsigned int, unsigned int>                 originals_; ///< of images
+    std::vector<Vector3>                                 points_;
+    std::map<std::pair<int, unsigned int>, unsigned int> numbers_;
+    std::vector<Element>                                 elements_;
+    std::vector<Eigen::MatrixXd>                         stiffness_; ///< by element of the sector
+    std::vector<unsigned int>                            cut_;
+    std::vector<int>                                     first_unknown_; ///< by point; -1: cut
+    unsigned int                                         n_unknowns_ = 0;
+  };
+} // namespace vfife
+
+#endif

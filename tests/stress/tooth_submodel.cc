@@ -1,0 +1,141 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// One tooth under pressure: root stresses of a coarse mesh of trilinear elements by a submodel,
+// against those of the fine mesh by itself and against a reference of two other programs.
+#include "../gear/paper_pair.h"
+#include "../mesh/coarsest.h"
+#include "../mesh/paper_members.h"
+#include "../ranks.h"
+#include "../tests.h"
+#include "pinion_fillets.h"
+
+#include <vfife/fem/statics/compliance.h>
+#include <vfife/fem/submodel/tooth_submodel.h>
+#include <vfife/fem/system/load_forces.h>
+#include <vfife/mesh/gear/gear_body.h>
+#include <vfife/model/load_shares.h>
+#include <vfife/study/fillets/facet_readings.h>
+#include <vfife/study/fillets/fillet_faces.h>
+
+#include <algorithm>
+
+using namespace vfife;
+
+namespace
+{
+  constexpr double pressure = 100.; ///< on the concave flank of tooth 0 [MPa]
+
+  Model make_pinion(const GearBodyOptions &options)
+  {
+    Model model;
+    model.add_body(Body("pinion", make_gear_body(paper::pinion(), options), Material()));
+    Constraint bore;
+    bore.name         = "bore";
+    bore.nodes        = model.bodies[0].node_set(node_set::bore);
+    model.constraints = {bore};
+    return model;
+  }
+
+  std::vector<unsigned int> list_flank_nodes(const Body &body)
+  {
+    std::vector<unsigned int> nodes;
+    for (const unsigned int node : body.mesh().surfaces.at(surface_name::concave).nodes)
+      if (body.structure().sector_of(node) == 0)
+        nodes.push_back(node);
+    return nodes;
+  }
+
+  /** Displacements of all points under the pressure. */
+  std::vector<double> solve(const Body &body, const Compliance &compliance)
+  {
+    Load load;
+    load.name                 = "pressure";
+    load.kind                 = LoadKind::pressure;
+    load.pressure             = pressure;
+    load.nodes                = list_flank_nodes(body);
+    const FemSpace     &space = compliance.space();
+    std::vector<double> forces(3 * std::size_t(space.n_points()), 0.);
+    add_load_forces(load, space, space.parts()[0], 1., forces);
+    return compliance.solve(forces);
+  }
+
+  /** Strains of all facets of both fillets of tooth 0. */
+  std::vector<PointReading> read_fillets(const FemSpace                 &sector,
+                                         const std::deque<MemberFillet> &fillets)
+  {
+    std::vector<PointReading> readings;
+    for (const MemberFillet &member : fillets)
+      for (unsigned int column = 0; column < member.fillet.n_columns(); ++column)
+        for (unsigned int row = Fillet::first_row; row < member.fillet.end_row(); ++row)
+          for (PointReading &reading : read_facet(sector, member.fillet.facet(column, row, 0)))
+            readings.push_back(std::move(reading));
+    return readings;
+  }
+
+  /** The pressure on the elements' faces as forces at points of a quadrature. */
+  void add_pressure(const FemSpace             &sector,
+                    const ToothSubmodel        &submodel,
+                    ToothSubmodel::ToothForces &forces)
+  {
+    const Body &body = sector.model().bodies[0];
+    for (const BoundaryFace &face : find_boundary_faces(body, list_flank_nodes(body)))
+      for (const auto &[points, X] : points_of_face(sector, sector.parts()[0], face))
+        for (const FacePoint &at : compute_face_points(X))
+          submodel.add_force(surface_name::concave, 0, X * at.N, -pressure * at.normal, forces);
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  const TestRanks ranks(argc, argv);
+  // The mesh that runs have by default, and that of submodels.
+  const Model     followed       = make_pinion(coarse(pinion_body_defaults()));
+  GearBodyOptions options        = coarse(pinion_body_defaults());
+  options.cells_lengthwise       = 10;
+  options.grading_towards_fillet = 4.;
+  options.surface_layer          = .5;
+  const Model fine               = make_pinion(options);
+  const auto  fillets            = list_fillets(fine.bodies[0]);
+  FemOptions  quadratic;
+  quadratic.element  = FemElement::quadratic;
+  quadratic.geometry = FemGeometry::curved;
+
+  const FemSpace             sector   = FemSpace::sector_of(fine, 0, quadratic);
+  const auto                 readings = read_fillets(sector, fillets);
+  const ToothSubmodel        submodel(sector, followed.bodies[0], readings);
+  ToothSubmodel::ToothForces forces;
+  add_pressure(sector, submodel, forces);
+  const Compliance          trilinear(followed, {}, false, ranks.world);
+  const std::vector<double> u = solve(followed.bodies[0], trilinear);
+  const Eigen::VectorXd     values =
+    submodel.load(0, forces, 0.) + submodel.follow(0, [&u](const unsigned int node) -> Vector3 {
+      return Eigen::Map<const Vector3>(u.data() + 3 * node);
+    });
+  RootStresses found;
+  for (Eigen::Index k = 0; k < values.size(); k += 3)
+    {
+      const PrincipalStresses stress = compute_principal_stresses(
+        compute_surface_stress(values.segment<3>(k), fillets.front().fillet.material()));
+      found.tension     = largest_of(found.tension, stress.first);
+      found.compression = -largest_of(-found.compression, -stress.third);
+    }
+
+  // The fine mesh as a whole body.
+  const Compliance          whole(fine, quadratic, false, ranks.world);
+  const std::vector<double> v  = solve(fine.bodies[0], whole);
+  const RootStresses by_itself = find_largest(fillets, FilletFaces(whole.space(), fillets).of(v));
+  check_close("tension, submodel and whole fine body [MPa]",
+              found.tension,
+              by_itself.tension,
+              .015 * by_itself.tension);
+  check_close("compression, submodel and whole fine body [MPa]",
+              found.compression,
+              by_itself.compression,
+              .015 * 785.);
+  // Elements of the followed mesh by themselves have a third.
+  const auto         own     = list_fillets(followed.bodies[0]);
+  const RootStresses coarse_ = find_largest(own, FilletFaces(trilinear.space(), own).of(u));
+  check_below("tension of the followed mesh over the reference", coarse_.tension / 851., .5);
+  check_close("tension, submodel and reference [MPa]", found.tension, 851., .03 * 851.);
+  check_close("compression, submodel and reference [MPa]", found.compression, -785., .05 * 785.);
+  return 0;
+}
