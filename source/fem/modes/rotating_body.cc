@@ -119,6 +119,11 @@ namespace vfife
     , whole_(model, {body}, FemElement::incompatible_modes)
     , describer_(whole_, whole_.parts()[0])
   {
+    if (options.cyclic_symmetry && space_.degree() > 1)
+      {
+        shown_  = std::make_unique<const FemSpace>(model, std::vector<unsigned int>{body}, options);
+        copies_ = std::make_unique<const SectorCopies>(space_, *shown_, shown_->parts()[0]);
+      }
     for (const double rate : options.rates())
       if (model.bodies[body].floats && rate != 0 && !options.coriolis)
         throw InputError("Fem/coriolis",
@@ -349,7 +354,7 @@ namespace vfife
         entry.residual  = mode.residual;
         if (!options_.cyclic_symmetry)
           entry.effective_mass = mode.effective_mass;
-        entry.shape = node_shape(mode.shape, harmonic);
+        entry.shape = whole_shape(mode.shape, harmonic);
         std::vector<double> none(entry.shape.size(), 0.);
         scale_to_one(entry.shape, none);
         entry.description = describer_.describe(entry.shape);
@@ -382,8 +387,8 @@ namespace vfife
         entry.frequency               = wave.rate / (2. * pi);
         entry.residual                = wave.residual;
         entry.kinetic_share           = wave.kinetic_share;
-        entry.shape                   = node_shape(system.expand(wave.real), harmonic);
-        std::vector<double> imaginary = node_shape(system.expand(wave.imaginary), harmonic);
+        entry.shape                   = whole_shape(system.expand(wave.real), harmonic);
+        std::vector<double> imaginary = whole_shape(system.expand(wave.imaginary), harmonic);
         scale_to_one(entry.shape, imaginary);
         entry.description = describer_.describe(entry.shape, imaginary);
         // Waves are named by the sense of the spin, descriptions by that of the axis.
@@ -399,35 +404,34 @@ namespace vfife
     return found.highest >= top * (top + 2. * std::abs(rate));
   }
 
-  std::vector<double> RotatingBody::node_shape(const std::vector<double> &shape,
-                                               const unsigned int         harmonic) const
+  std::vector<double> RotatingBody::whole_shape(const std::vector<double> &shape,
+                                                const unsigned int         harmonic) const
   {
-    const Body       &body = model_.bodies[body_];
-    const std::size_t n    = 3 * static_cast<std::size_t>(body.n_nodes());
+    const unsigned int n = shown().n_points();
     if (!options_.cyclic_symmetry)
-      return std::vector<double>(shape.begin(), shape.begin() + n);
+      return std::vector<double>(shape.begin(), shape.begin() + 3 * std::size_t(n));
 
-    // Sector after sector about the line of the mesh, whatever the sense of the spin.
-    const Vector3       axis      = compute_sector_axis(body).direction;
-    const unsigned int  n_sectors = body.structure().n_sectors();
-    const std::size_t   n_nodes   = body.structure().nodes_per_sector();
-    const std::size_t   copy      = 3 * static_cast<std::size_t>(space_.n_points());
+    // Sectors are turned about the line of the mesh, whatever the sense of the spin.
+    const Body          &body    = model_.bodies[body_];
+    const Vector3        axis    = compute_sector_axis(body).direction;
+    const unsigned int   n_nodes = body.structure().nodes_per_sector();
+    const std::size_t    copy    = 3 * static_cast<std::size_t>(space_.n_points());
+    std::vector<Matrix3> turns;
+    for (unsigned int k = 0; k < body.structure().n_sectors(); ++k)
+      turns.push_back(rotation_about(axis, k * space_.sector_angle()));
     std::vector<double> whole;
-    whole.reserve(n);
-    for (unsigned int k = 0; k < n_sectors; ++k)
+    whole.reserve(3 * std::size_t(n));
+    for (unsigned int point = 0; point < n; ++point)
       {
-        const double  angle = k * space_.sector_angle(), phase = harmonic * angle;
-        const Matrix3 turn = rotation_about(axis, angle);
-        for (std::size_t i = 0; i < n_nodes; ++i)
-          {
-            // u_k = Re(R^k (a + i b) exp(i h k angle)), a and b the two copies of the
-            // sector's points.
-            Vector3 u = std::cos(phase) * Eigen::Map<const Vector3>(shape.data() + 3 * i);
-            if (shape.size() > copy)
-              u -= std::sin(phase) * Eigen::Map<const Vector3>(shape.data() + copy + 3 * i);
-            u = (turn * u).eval();
-            whole.insert(whole.end(), u.data(), u.data() + 3);
-          }
+        const unsigned int k     = copies_ ? copies_->sector_of(point) : point / n_nodes;
+        const std::size_t  i     = copies_ ? copies_->original_of(point) : point % n_nodes;
+        const double       phase = harmonic * (k * space_.sector_angle());
+        // u_k = Re(R^k (a + i b) exp(i h k angle)), a and b the two copies of the sector's points.
+        Vector3 u = std::cos(phase) * Eigen::Map<const Vector3>(shape.data() + 3 * i);
+        if (shape.size() > copy)
+          u -= std::sin(phase) * Eigen::Map<const Vector3>(shape.data() + copy + 3 * i);
+        u = (turns[k] * u).eval();
+        whole.insert(whole.end(), u.data(), u.data() + 3);
       }
     return whole;
   }

@@ -24,7 +24,8 @@ namespace vfife
     for (std::size_t i = 0; i < u.size(); i += 3)
       solution.largest_displacement =
         std::max(solution.largest_displacement, Eigen::Map<const Vector3>(u.data() + i).norm());
-    solution.stresses        = solver.compute_node_stresses(result);
+    solution.point_stresses  = compute_stresses(space, u);
+    solution.stresses        = take_nodes(space, solution.point_stresses);
     solution.reactions       = compute_reactions(space, result);
     solution.strain_energy   = result.strain_energy;
     solution.n_displacements = u.size();

@@ -288,39 +288,48 @@ namespace vfife
     return vfife::compute_node_stresses(space_, result.displacements);
   }
 
-  std::vector<Stress> compute_node_stresses(const FemSpace            &space,
-                                            const std::vector<double> &displacements)
+  std::vector<Stress> compute_stresses(const FemSpace            &space,
+                                       const std::vector<double> &displacements)
   {
-    const Model &model = space.model();
-    // The plain mean of the elements that meet at a node.
-    std::vector<Stress>       stresses(model.n_nodes(), Stress::Zero());
-    std::vector<unsigned int> counts(model.n_nodes(), 0);
-    const Eigen::MatrixXd    &corners = corner_extrapolation(space.degree());
-    for (const FemSpace::Part &part : space.parts())
+    // The plain mean of the elements that meet at a point.
+    std::vector<Stress>       stresses(space.n_points(), Stress::Zero());
+    std::vector<unsigned int> counts(space.n_points(), 0);
+    const Eigen::MatrixXd    &to_points = point_extrapolation(space.degree());
+    for (unsigned int e = 0; e < space.n_elements(); ++e)
       {
-        const Body &body = model.bodies[part.body];
-        for (unsigned int e = part.first_element; e < part.first_element + part.n_elements; ++e)
+        const Eigen::Matrix<double, 6, Eigen::Dynamic> values =
+          compute_point_stresses(space.element_nodes(e),
+                                 space.material(e),
+                                 space.element(),
+                                 space.gather_from_stress_free(e, displacements)) *
+          to_points;
+        for (unsigned int a = 0; a < space.points_per_element(); ++a)
           {
-            const Eigen::Matrix<double, 6, 8> values =
-              compute_point_stresses(space.element_nodes(e),
-                                     space.material(e),
-                                     space.element(),
-                                     space.gather_from_stress_free(e, displacements)) *
-              corners;
-            for (unsigned int v = 0; v < 8; ++v)
-              {
-                // Nodes of the body; those of divided elements have no place in the model.
-                const unsigned int point = space.corner(e, v) - part.first_point;
-                if (point >= part.n_nodes)
-                  continue;
-                stresses[body.first_node + point] += values.col(v);
-                ++counts[body.first_node + point];
-              }
+            const unsigned int point = space.element_points(e)[a];
+            stresses[point] += values.col(a);
+            ++counts[point];
           }
       }
     for (std::size_t i = 0; i < stresses.size(); ++i)
-      if (counts[i] > 0)
-        stresses[i] /= counts[i];
+      stresses[i] /= counts[i];
     return stresses;
+  }
+
+  std::vector<Stress> take_nodes(const FemSpace &space, const std::vector<Stress> &stresses)
+  {
+    const Model        &model = space.model();
+    std::vector<Stress> nodes(model.n_nodes(), Stress::Zero());
+    // Points of a body are in the order of its nodes.
+    for (const FemSpace::Part &part : space.parts())
+      std::copy_n(stresses.begin() + part.first_point,
+                  part.n_nodes,
+                  nodes.begin() + model.bodies[part.body].first_node);
+    return nodes;
+  }
+
+  std::vector<Stress> compute_node_stresses(const FemSpace            &space,
+                                            const std::vector<double> &displacements)
+  {
+    return take_nodes(space, compute_stresses(space, displacements));
   }
 } // namespace vfife

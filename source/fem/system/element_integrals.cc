@@ -98,6 +98,20 @@ namespace vfife
       return parts;
     }
 
+    /** The polynomials that are one at a Gauss point of elements of @p degree and zero at the
+     * others, at the points of FE_Q(@p at). */
+    Eigen::MatrixXd extrapolate(const unsigned int degree, const unsigned int at)
+    {
+      const dealii::FE_DGQArbitraryNodes<3> element{dealii::QGauss<1>(n_gauss(degree))};
+      const dealii::FE_Q<3>                 points(at);
+      const auto      numbers = dealii::FETools::lexicographic_to_hierarchic_numbering<3>(at);
+      Eigen::MatrixXd matrix(element.dofs_per_cell, numbers.size());
+      for (unsigned int q = 0; q < matrix.rows(); ++q)
+        for (unsigned int a = 0; a < numbers.size(); ++a)
+          matrix(q, a) = element.shape_value(q, points.unit_support_point(numbers[a]));
+      return matrix;
+    }
+
     FacePoint map_face_point(const ReferencePoint &reference, const ElementNodes &X)
     {
       const Eigen::Matrix<double, 3, 2> tangents = X * reference.gradients.transpose();
@@ -327,17 +341,29 @@ namespace vfife
 
   const Eigen::MatrixXd &corner_extrapolation(const unsigned int degree)
   {
-    // The polynomials that are one at a Gauss point and zero at the others, at the corners.
+    static const std::array<Eigen::MatrixXd, 3> matrices = {
+      {extrapolate(1, 1), extrapolate(2, 1), extrapolate(3, 1)}};
+    return matrices[degree - 1];
+  }
+
+  const Eigen::MatrixXd &point_extrapolation(const unsigned int degree)
+  {
+    static const std::array<Eigen::MatrixXd, 3> matrices = {
+      {extrapolate(1, 1), extrapolate(2, 2), extrapolate(3, 3)}};
+    return matrices[degree - 1];
+  }
+
+  const Eigen::MatrixXd &even_places(const unsigned int degree)
+  {
     static const auto make = [](const unsigned int n) {
-      const dealii::FE_DGQArbitraryNodes<3> element{dealii::QGauss<1>(n)};
-      Eigen::MatrixXd                       matrix(n * n * n, 8);
-      for (unsigned int q = 0; q < n * n * n; ++q)
-        for (unsigned int v = 0; v < 8; ++v)
-          matrix(q, v) = element.shape_value(q, dealii::GeometryInfo<3>::unit_cell_vertex(v));
+      const dealii::QIterated<3> rule(dealii::QTrapezoid<1>(), n);
+      const auto                 points = evaluate(n, rule);
+      Eigen::MatrixXd            matrix(points.size(), points.size());
+      for (std::size_t i = 0; i < points.size(); ++i)
+        matrix.col(i) = points[i].N;
       return matrix;
     };
-    static const std::array<Eigen::MatrixXd, 3> matrices = {
-      {make(n_gauss(1)), make(n_gauss(2)), make(n_gauss(3))}};
+    static const std::array<Eigen::MatrixXd, 3> matrices = {{make(1), make(2), make(3)}};
     return matrices[degree - 1];
   }
 

@@ -18,19 +18,24 @@ namespace vfife
     return text;
   }
 
+  VtuGrid make_grid(const Body &body)
+  {
+    VtuGrid grid;
+    for (const Vector3 &X : body.node_positions())
+      grid.add_point(body.placement(X));
+    for (const auto &element : body.elements())
+      grid.cells.insert(grid.cells.end(), element.begin(), element.end());
+    return grid;
+  }
+
   void write_shapes(const OutputFolder            &folder,
                     const std::string             &name,
-                    const Body                    &body,
+                    VtuGrid                        grid,
                     const std::vector<NamedShape> &shapes,
                     std::vector<VtuArray>          fields)
   {
     if (!folder.is_writer())
       return;
-    // Corners in the fixed frame at time zero and the data there.
-    VtuGrid grid;
-    grid.cells = body.elements();
-    for (const Vector3 &X : body.node_positions())
-      grid.add_point(body.placement(X));
     for (const NamedShape &shape : shapes)
       grid.point_data.push_back(
         {shape.name, shape.unit, 3, {shape.displacements.begin(), shape.displacements.end()}});

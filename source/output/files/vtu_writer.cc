@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/text/column_names.h>
-#include <vfife/mesh/hexahedron_corners.h>
 #include <vfife/output/files/vtu_writer.h>
 
 #include <deal.II/base/utilities.h>
@@ -9,6 +8,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <ostream>
@@ -17,7 +17,37 @@ namespace vfife
 {
   namespace
   {
-    constexpr std::uint8_t vtk_hexahedron = 12;
+    /** VTK's types of hexahedra by degree: 8 points, triquadratic, Lagrange. */
+    constexpr std::uint8_t vtk_hexahedra[] = {12, 29, 72};
+
+    /** The 27 points of a triquadratic hexahedron in VTK's order (corners, edges, faces, inside) by
+     * their places in the lexicographic order. */
+    constexpr unsigned int vtk_places[27] = {0,  2,  8, 6,  18, 20, 26, 24, 1,  5,  7, 3,  19, 23,
+                                             25, 21, 9, 11, 17, 15, 12, 14, 10, 16, 4, 22, 13};
+
+    /** The points of a cell in VTK's order by their places in the lexicographic order. */
+    std::vector<unsigned int> make_vtk_order(const unsigned int degree)
+    {
+      const unsigned int        n = degree + 1;
+      std::vector<unsigned int> order;
+      for (unsigned int e = 0; e < 27; ++e)
+        {
+          // Before version 2.2 of the files, the last two edges of Lagrange cells change places.
+          const unsigned int place = vtk_places[degree > 2 && (e == 18 || e == 19) ? 37 - e : e];
+          // Along each axis: the first point, those inside or the last one.
+          std::array<unsigned int, 3> first, end;
+          for (unsigned int d = 0, left = place; d < 3; ++d, left /= 3)
+            {
+              first[d] = left % 3 == 2 ? degree : left % 3;
+              end[d]   = left % 3 == 1 ? degree : first[d] + 1;
+            }
+          for (unsigned int k = first[2]; k < end[2]; ++k)
+            for (unsigned int j = first[1]; j < end[1]; ++j)
+              for (unsigned int i = first[0]; i < end[0]; ++i)
+                order.push_back(i + n * (j + n * k));
+        }
+      return order;
+    }
 
     /** The word for a type of numbers. */
     const char *type_word(const float)
@@ -98,20 +128,17 @@ namespace vfife
           << "\n</DataArray>\n";
     }
 
-    void write_cells(std::ostream &out, const std::vector<CellNodes> &cells)
+    void write_cells(std::ostream &out, const VtuGrid &grid)
     {
       // Signed, as VTK's own cells are: its threshold filter crashes on others (ParaView 5.11).
-      std::vector<std::int32_t> connectivity, offsets;
-      for (const CellNodes &nodes : cells)
-        {
-          for (const unsigned int corner : corner_of_files)
-            connectivity.push_back(static_cast<std::int32_t>(nodes[corner]));
-          offsets.push_back(static_cast<std::int32_t>(connectivity.size()));
-        }
+      std::vector<std::int32_t> offsets;
+      for (std::size_t i = 1; i <= grid.n_cells(); ++i)
+        offsets.push_back(static_cast<std::int32_t>(i * grid.points_per_cell()));
+      const std::uint8_t type = vtk_hexahedra[grid.degree - 1];
       out << "<Cells>\n";
-      write_array(out, "connectivity", 1, connectivity);
+      write_array(out, "connectivity", 1, grid.connectivity());
       write_array(out, "offsets", 1, offsets);
-      write_array(out, "types", 1, std::vector<std::uint8_t>(cells.size(), vtk_hexahedron));
+      write_array(out, "types", 1, std::vector<std::uint8_t>(grid.n_cells(), type));
       out << "</Cells>\n";
     }
 
@@ -177,6 +204,16 @@ namespace vfife
       points.push_back(static_cast<float>(x[c]));
   }
 
+  std::vector<std::int32_t> VtuGrid::connectivity() const
+  {
+    const std::vector<unsigned int> order = make_vtk_order(degree);
+    std::vector<std::int32_t>       numbers;
+    for (std::size_t first = 0; first < cells.size(); first += order.size())
+      for (const unsigned int place : order)
+        numbers.push_back(static_cast<std::int32_t>(cells[first + place]));
+    return numbers;
+  }
+
   void write_vtu(std::ostream &out, const VtuGrid &grid, const double time)
   {
     out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
@@ -187,10 +224,10 @@ namespace vfife
              "format=\"ascii\">"
           << time << "</DataArray>\n</FieldData>\n";
     out << "<Piece NumberOfPoints=\"" << grid.points.size() / 3 << "\" NumberOfCells=\""
-        << grid.cells.size() << "\">\n<Points>\n";
+        << grid.n_cells() << "\">\n<Points>\n";
     write_array(out, "Points", 3, grid.points);
     out << "</Points>\n";
-    write_cells(out, grid.cells);
+    write_cells(out, grid);
     write_arrays(out, "PointData", grid.point_data);
     write_arrays(out, "CellData", grid.cell_data);
     out << "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";

@@ -130,16 +130,14 @@ namespace vfife
             ++b;
           const Body        &body    = model.bodies[b];
           const unsigned int element = number - body.first_element;
-          CellNodes          cell;
           for (unsigned int i = 0; i < 8; ++i)
             {
               const std::uint32_t global = body.first_node + body.elements()[element][i],
                                   local  = partition.local_node[global];
               if (point_of[local] == none)
                 add_node(global, local);
-              cell[i] = point_of[local];
+              grid.cells.push_back(point_of[local]);
             }
-          grid.cells.push_back(cell);
           grid.cell_data[0].values.push_back(static_cast<float>(b));
           grid.cell_data[1].values.push_back(
             static_cast<float>(body.structure().sector_of_element(element)));
@@ -148,14 +146,15 @@ namespace vfife
     }
 
     /** Values of all ranks, @p n_components at each of their @p places. Collective. */
-    std::vector<float> gather(const std::vector<float>         &values,
-                              const unsigned int                n_components,
-                              const std::vector<std::uint32_t> &places,
-                              const Communicator               &communicator)
+    template <typename Number>
+    std::vector<Number> gather(const std::vector<Number>        &values,
+                               const unsigned int                n_components,
+                               const std::vector<std::uint32_t> &places,
+                               const Communicator               &communicator)
     {
-      const std::vector<float> all = communicator.all_gather(values);
-      std::vector<float>       placed(all.size());
-      std::uint32_t            n_places = 0;
+      const std::vector<Number> all = communicator.all_gather(values);
+      std::vector<Number>       placed(all.size());
+      std::uint32_t             n_places = 0;
       for (std::size_t i = 0; i < places.size(); ++i)
         {
           std::copy_n(&all[n_components * i], n_components, &placed[n_components * places[i]]);
@@ -182,14 +181,10 @@ namespace vfife
                                            communicator);
       for (std::size_t i = 0; i < grid.cell_data.size(); ++i)
         grid.cell_data[i].values = gather(part.grid.cell_data[i].values, 1, cells, communicator);
-      std::vector<CellNodes> own = part.grid.cells;
-      for (CellNodes &cell : own)
-        for (unsigned int &corner : cell)
-          corner = part.nodes[corner];
-      const std::vector<CellNodes> all = communicator.all_gather(own);
-      grid.cells.resize(all.size());
-      for (std::size_t i = 0; i < all.size(); ++i)
-        grid.cells[cells[i]] = all[i];
+      std::vector<unsigned int> corners = part.grid.cells;
+      for (unsigned int &corner : corners)
+        corner = part.nodes[corner];
+      grid.cells = gather(corners, grid.points_per_cell(), cells, communicator);
       return grid;
     }
 

@@ -1,5 +1,4 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/mesh/hexahedron_corners.h>
 #include <vfife/output/observers/hdf5_fields.h>
 
 #include <deal.II/base/config.h>
@@ -147,16 +146,13 @@ namespace vfife
 
     void write_mesh(const hid_t file, const VtuGrid &grid, const std::string &path)
     {
-      std::vector<std::int32_t> corners;
-      for (const CellNodes &nodes : grid.cells)
-        for (const unsigned int corner : corner_of_files)
-          corners.push_back(static_cast<std::int32_t>(nodes[corner]));
-      const auto make_group = [&](const char *name) {
+      const std::vector<std::int32_t> corners    = grid.connectivity();
+      const auto                      make_group = [&](const char *name) {
         return H5Gcreate2(file, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
       };
       const Handle mesh(make_group("mesh"), H5Gclose, path);
       const Handle instants(make_group("instants"), H5Gclose, path);
-      write_rows(mesh, "cells", H5T_NATIVE_INT32, corners.data(), grid.cells.size(), 8, "", path);
+      write_rows(mesh, "cells", H5T_NATIVE_INT32, corners.data(), grid.n_cells(), 8, "", path);
       write_arrays(mesh, grid.cell_data, path);
     }
 #endif

@@ -26,6 +26,7 @@
 #include <vfife/study/cases/case.h>
 #include <vfife/study/cases/case_kinds.h>
 #include <vfife/study/conventional/chosen_bodies.h>
+#include <vfife/study/conventional/field_grid.h>
 #include <vfife/study/conventional/linear_static_study.h>
 #include <vfife/study/start_summary.h>
 #include <vfife/study/turning_axes.h>
@@ -71,33 +72,44 @@ namespace vfife
     /** Words for LinearStaticOptions::at_time. */
     const Choices<bool> load_choices = {{"full", false}, {"at time", true}};
 
-    /** One file a body: displacements, stresses in its cylindrical axes, von Mises. */
+    /** One file a body: displacements, stresses in its cylindrical axes and along the fixed ones,
+     * von Mises. */
     void write_fields(const OutputFolder              &folder,
                       const Model                     &model,
                       const std::vector<unsigned int> &bodies,
-                      const NodalSolution             &solution)
+                      const Solution                  &solution)
     {
       folder.make_subfolder("fields");
+      if (!folder.is_writer())
+        return;
       for (const unsigned int b : bodies)
         {
-          const Body           &body   = model.bodies[b];
+          const Body     &body  = model.bodies[b];
+          const FemSpace *space = solution.solver ? &solution.solver->space() : nullptr;
+          const FieldGrid shown = space ? FieldGrid(*space, *space->find_part(b)) : FieldGrid(body);
+          std::vector<double> u =
+            shown.take(space ? solution.result.displacements.data()
+                             : solution.displacements.data() + 3 * std::size_t(body.first_node),
+                       3);
+          const std::vector<double> stresses =
+            shown.take(space ? solution.point_stresses.front().data()
+                             : solution.stresses[body.first_node].data(),
+                       6);
           std::vector<VtuArray> fields = make_stress_arrays();
-          for (unsigned int i = 0; i < body.n_nodes(); ++i)
+          for (unsigned int i = 0; i < shown.n_points(); ++i)
             {
-              // Stresses of the solver are along the fixed axes; r, theta, z are those of the
-              // node's own place.
-              const Stress &stress = solution.stresses[body.first_node + i];
+              // Along the fixed axes; r, theta, z are those of the point's own place.
+              const Stress stress = Eigen::Map<const Stress>(stresses.data() + 6 * std::size_t(i));
               add_stress(turn_stress(stress,
                                      body.placement.rotation *
-                                       compute_cylindrical_axes(body, body.node_positions()[i])),
+                                       compute_cylindrical_axes(body, shown.reference(i))),
                          stress,
                          fields.begin());
             }
-          const auto first = solution.displacements.begin() + 3 * std::size_t(body.first_node);
           write_shapes(folder,
                        "fields/" + body.name() + ".vtu",
-                       body,
-                       {{"displacement", {first, first + 3 * std::size_t(body.n_nodes())}, "mm"}},
+                       shown.make_grid(),
+                       {{"displacement", std::move(u), "mm"}},
                        std::move(fields));
         }
     }

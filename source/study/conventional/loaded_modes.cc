@@ -7,6 +7,7 @@
 #include <vfife/output/files/mode_writer.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/table_writer.h>
+#include <vfife/study/conventional/field_grid.h>
 #include <vfife/study/conventional/loaded_modes.h>
 #include <vfife/study/turning_axes.h>
 
@@ -52,21 +53,19 @@ namespace vfife
     add_coupled_modes(modes, table);
     write_tables(folder, "coupled_modes", table);
     folder.make_subfolder("modes");
-    // Shapes as they stand in space, where the pair turns. Points of a body are in the order of its
-    // nodes.
+    // Shapes as they stand in space, where the pair turns.
     const auto     &list = modes.standing.empty() ? modes.turning : modes.standing;
     const FemSpace &d    = compliance.space();
     for (const FemSpace::Part &part : d.parts())
       {
-        const Body             &body = model.bodies[part.body];
+        const FieldGrid         shown(d, part);
         std::vector<NamedShape> shapes;
         for (std::size_t k = 0; k < list.size(); ++k)
-          {
-            const auto first = list[k].shape.begin() + 3 * std::size_t(part.first_point);
-            shapes.push_back(
-              {shape_name(k, list[k].frequency), {first, first + 3 * std::size_t(body.n_nodes())}});
-          }
-        write_shapes(folder, "modes/coupled_" + body.name() + ".vtu", body, shapes);
+          shapes.push_back({shape_name(k, list[k].frequency), shown.take(list[k].shape)});
+        write_shapes(folder,
+                     "modes/coupled_" + shown.body().name() + ".vtu",
+                     shown.make_grid(),
+                     shapes);
       }
   }
 } // namespace vfife

@@ -20,6 +20,7 @@
 #include <vfife/study/cases/case.h>
 #include <vfife/study/cases/case_kinds.h>
 #include <vfife/study/conventional/chosen_bodies.h>
+#include <vfife/study/conventional/field_grid.h>
 #include <vfife/study/conventional/modal_study.h>
 #include <vfife/study/start_summary.h>
 #include <vfife/study/turning_axes.h>
@@ -180,6 +181,8 @@ namespace vfife
     std::unique_ptr<const RotatingBody> rotating;
     if (!fem_.distributed)
       rotating = std::make_unique<RotatingBody>(model, b, fem_, folder.communicator());
+    const FieldGrid shown =
+      rotating ? FieldGrid(rotating->shown(), rotating->shown().parts().front()) : FieldGrid(body);
     std::vector<ModesAtSpeed> speeds;
     log_housing(model, {b}, log);
     const std::vector<double> rates = fem_.rates();
@@ -225,11 +228,14 @@ namespace vfife
         // alone.
         std::vector<NamedShape> shapes;
         for (std::size_t k = 0; k < found.modes.size(); ++k)
-          shapes.push_back(
-            {shape_name(k, found.modes[k].frequency), std::move(found.modes[k].shape)});
+          {
+            std::vector<double> &shape = found.modes[k].shape;
+            shapes.push_back({shape_name(k, found.modes[k].frequency), shown.take(shape)});
+            shape = {};
+          }
         std::ostringstream name;
         name << "modes/" << body.name() << "_" << std::lround(rate * 30. / pi) << "_rpm.vtu";
-        write_shapes(folder, name.str(), body, shapes);
+        write_shapes(folder, name.str(), shown.make_grid(), shapes);
         speeds.push_back(std::move(found));
       }
     // Modes of the same kind joined over the speeds, then their crossings with the orders of

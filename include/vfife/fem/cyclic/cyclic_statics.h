@@ -3,7 +3,7 @@
 #define vfife_fem_cyclic_cyclic_statics_h
 
 #include <vfife/fem/cyclic/cyclic_body.h>
-#include <vfife/fem/cyclic/sector_copies.h>
+#include <vfife/fem/modes/sector_copies.h>
 #include <vfife/fem/solvers/condensation.h>
 #include <vfife/fem/solvers/hermitian_factor.h>
 

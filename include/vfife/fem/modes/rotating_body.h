@@ -6,6 +6,7 @@
 #include <vfife/fem/fem_options.h>
 #include <vfife/fem/modes/modal_solver.h>
 #include <vfife/fem/modes/mode_description.h>
+#include <vfife/fem/modes/sector_copies.h>
 
 #include <memory>
 #include <vector>
@@ -27,7 +28,8 @@ namespace vfife
     /** As in Mode; not a number for sectors and with Coriolis forces. */
     std::array<double, 6> effective_mass = {
       {not_known, not_known, not_known, not_known, not_known, not_known}};
-    /** Displacements of the body's nodes, 3 a node, fixed frame, largest 1 mm. */
+    /** Displacements of the points of RotatingBody::shown(), 3 a point, fixed frame, largest 1 mm.
+     * Nodes of the body come first. */
     std::vector<double> shape;
 
     /** Whether the body turns faster than the wave, which started in the sense of the spin: its
@@ -80,6 +82,12 @@ namespace vfife
     {
       return space_;
     }
+    /** All sectors, where one is computed too: points of shapes, between the nodes as well where
+     * elements have some there. */
+    const FemSpace &shown() const
+    {
+      return shown_ ? *shown_ : space_.degree() > 1 ? space_ : whole_;
+    }
     /** All sectors, where one is computed too. */
     const FemSpace &whole() const
     {
@@ -108,7 +116,7 @@ namespace vfife
     /** Rigid motions that nothing opposes, as displacements of all points (each copy). */
     std::vector<std::vector<double>> rigid_motions(const FemSystem &system,
                                                    unsigned int     harmonic) const;
-    std::vector<double> node_shape(const std::vector<double> &shape, unsigned int harmonic) const;
+    std::vector<double> whole_shape(const std::vector<double> &shape, unsigned int harmonic) const;
 
     const Model        &model_;
     unsigned int        body_;
@@ -116,7 +124,10 @@ namespace vfife
     const Communicator &communicator_;
     FemSpace            space_;
     FemSpace            whole_; ///< of eight-node elements, for describing modes
-    ModeDescriber       describer_;
+    /** For shapes of a sector with points between the nodes; none otherwise. */
+    std::unique_ptr<const FemSpace>     shown_;
+    std::unique_ptr<const SectorCopies> copies_;
+    ModeDescriber                       describer_;
   };
 } // namespace vfife
 

@@ -14,7 +14,8 @@ namespace vfife
   struct NodalSolution
   {
     std::vector<double>   displacements;            ///< 3 a node, fixed frame [mm]
-    std::vector<Stress>   stresses;                 ///< compute_node_stresses()
+    std::vector<Stress>   stresses;                 ///< as compute_node_stresses()
+    std::vector<Stress>   point_stresses;           ///< compute_stresses(); none where distributed
     std::vector<Reaction> reactions;                ///< in the order of list_supports()
     double                strain_energy        = 0; ///< StaticResult [mJ]
     double                largest_displacement = 0; ///< of all points [mm]

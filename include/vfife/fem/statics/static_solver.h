@@ -97,11 +97,18 @@ namespace vfife
   void refuse_free_motions(const Body &body, std::size_t n);
 
   /**
-   * Stresses at the model's nodes (xx yy zz xy yz zx, fixed frame [MPa]) under displacements of all
-   * points (3 a point), averages of the values of the elements that meet there; zero on bodies that
-   * are not part of the space. Points of the elements are extrapolated to the nodes by the
-   * functions through them.
+   * Stresses at all points (xx yy zz xy yz zx, fixed frame [MPa]) under their displacements (3 a
+   * point), averages of the values of the elements that meet there. Values at the Gauss points of
+   * the elements are extrapolated by the functions through them.
    */
+  std::vector<Stress> compute_stresses(const FemSpace            &space,
+                                       const std::vector<double> &displacements);
+
+  /** Of values at all points those at the model's nodes; zero on bodies that are not part of the
+   * space. */
+  std::vector<Stress> take_nodes(const FemSpace &space, const std::vector<Stress> &stresses);
+
+  /** The same of compute_stresses(). */
   std::vector<Stress> compute_node_stresses(const FemSpace            &space,
                                             const std::vector<double> &displacements);
 } // namespace vfife

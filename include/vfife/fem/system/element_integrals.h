@@ -136,6 +136,12 @@ namespace vfife
   /** Values at the eight corners of an element from those at its compute_element_points(): the
    * values times this matrix, a column per corner. */
   const Eigen::MatrixXd &corner_extrapolation(unsigned int degree);
+  /** The same at all points of the element. */
+  const Eigen::MatrixXd &point_extrapolation(unsigned int degree);
+
+  /** Values at evenly spaced places of an element, as many as it has points and in the same order:
+   * the values at its points times this matrix, a column per place. */
+  const Eigen::MatrixXd &even_places(unsigned int degree);
 
   /** The 3n x 3n matrix with the blocks @p coefficients(a, b) * @p block. */
   Eigen::MatrixXd expand_coefficients(const Eigen::MatrixXd &coefficients,

@@ -13,7 +13,7 @@ namespace vfife
   class OutputFolder;
   struct MeshFields;
 
-  /** Displacements of the nodes of a body, 3 a node, under a name such as "mode 3". */
+  /** Displacements of the points of a grid, 3 a point, under a name such as "mode 3". */
   struct NamedShape
   {
     std::string         name;
@@ -24,13 +24,14 @@ namespace vfife
   /** "mode 3, 1034.2 Hz", the third with @p index 2 and this frequency [Hz]. */
   std::string shape_name(std::size_t index, double frequency);
 
-  /**
-   * Writes @p shapes as vectors and @p fields of the nodes on the undeformed mesh of @p body in its
-   * place at time zero [mm] to the .vtu file @p name; the writing rank only.
-   */
+  /** Nodes and elements of @p body, undeformed in its place at time zero. */
+  VtuGrid make_grid(const Body &body);
+
+  /** Writes @p shapes as vectors and @p fields of the points of @p grid to the .vtu file @p name;
+   * the writing rank only. */
   void write_shapes(const OutputFolder            &folder,
                     const std::string             &name,
-                    const Body                    &body,
+                    VtuGrid                        grid,
                     const std::vector<NamedShape> &shapes,
                     std::vector<VtuArray>          fields = {});
 

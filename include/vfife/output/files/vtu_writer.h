@@ -4,8 +4,9 @@
 
 #include <vfife/base/types.h>
 #include <vfife/element/stress.h>
-#include <vfife/mesh/body_mesh.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -31,14 +32,25 @@ namespace vfife
                                              const Stress                   &fixed,
                                              std::vector<VtuArray>::iterator arrays);
 
-  /** Hexahedra that share their points, in the fixed frame [mm]. */
+  /** Hexahedra of one degree that share their points, in the fixed frame [mm]. */
   struct VtuGrid
   {
-    std::vector<float>     points; ///< x y z of each
-    std::vector<CellNodes> cells;  ///< by their points
-    std::vector<VtuArray>  point_data, cell_data;
+    unsigned int       degree = 1;   ///< 1, 2 or 3: degree + 1 evenly spaced points along each edge
+    std::vector<float> points;       ///< x y z of each
+    std::vector<unsigned int> cells; ///< points of each, in deal.II's lexicographic order
+    std::vector<VtuArray>     point_data, cell_data;
 
-    void add_point(const Vector3 &x);
+    void         add_point(const Vector3 &x);
+    unsigned int points_per_cell() const
+    {
+      return (degree + 1) * (degree + 1) * (degree + 1);
+    }
+    std::size_t n_cells() const
+    {
+      return cells.size() / points_per_cell();
+    }
+    /** The points of the cells, of each in VTK's order of files before version 2.2. */
+    std::vector<std::int32_t> connectivity() const;
   };
 
   /** Writes @p grid as a .vtu file, numbers compressed, with @p time [s] unless it is not a number.

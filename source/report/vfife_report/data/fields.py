@@ -9,6 +9,10 @@ import numpy as np
 from .files import DamagedFile
 
 
+# Linear, quadratic and cubic ones in meshio's names; their corners come first.
+HEXAHEDRA = {"hexahedron", "hexahedron27", "VTK_LAGRANGE_HEXAHEDRON"}
+
+
 @dataclass
 class Fields:
     """Hexahedra at one instant, corners in VTK's order of vertices."""
@@ -56,10 +60,12 @@ def read_piece(path, ignored=frozenset()):
         grid = meshio.vtu.read(path)  # meshio.read() ends the program at a damaged file
     except Exception as error:  # of whatever kind: meshio trusts what it reads
         raise DamagedFile(f"{path} is damaged: no grid can be read from it") from error
-    if set(grid.cells_dict) - ignored != {"hexahedron"}:
+    kinds = set(grid.cells_dict) - ignored
+    if len(kinds) != 1 or not kinds <= HEXAHEDRA:
         raise DamagedFile(f"{path} has cells that are no hexahedra")
-    return spread(path, grid.points, grid.cells_dict["hexahedron"], grid.point_data,
-                  {name: values["hexahedron"] for name, values in grid.cell_data_dict.items()})
+    kind = kinds.pop()
+    return spread(path, grid.points, grid.cells_dict[kind][:, :8], grid.point_data,
+                  {name: values[kind] for name, values in grid.cell_data_dict.items()})
 
 
 def spread(path, points, corners, point_data, cell_data):

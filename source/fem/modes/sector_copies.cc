@@ -1,5 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/fem/cyclic/sector_copies.h>
+#include <vfife/fem/modes/sector_copies.h>
 #include <vfife/mesh/body_mesh.h>
 
 namespace vfife

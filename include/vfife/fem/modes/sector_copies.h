@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_fem_cyclic_sector_copies_h
-#define vfife_fem_cyclic_sector_copies_h
+#ifndef vfife_fem_modes_sector_copies_h
+#define vfife_fem_modes_sector_copies_h
 
 #include <vfife/fem/system/fem_space.h>
 
