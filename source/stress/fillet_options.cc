@@ -48,7 +48,8 @@ namespace vfife
       source,
       sources,
       "Where root stresses and strains of gauges come from. submodel: curved quadratic "
-      "elements of three teeth, which follow the displacements of the mesh and have "
+      "elements of a tooth and the halves beside it, which follow the displacements of the mesh "
+      "and have "
       "its contact forces; elements: the elements of the mesh, whose root stresses are "
       "too low on coarse meshes");
     declare_integer(prm,

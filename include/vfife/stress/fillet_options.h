@@ -25,7 +25,7 @@ namespace vfife
   /** Where the stresses at fillets of generated gears come from. */
   enum class FilletSource
   {
-    submodel, ///< a fine mesh of three teeth that follows the body
+    submodel, ///< a fine mesh of a tooth and the halves beside it that follows the body
     elements  ///< the elements of the body's own mesh
   };
 

@@ -11,7 +11,8 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <set>
+#include <cmath>
+#include <limits>
 
 namespace vfife
 {
@@ -61,18 +62,63 @@ namespace vfife
   unsigned int SectorStrip::number(const int turned, const unsigned int point) const
   {
     const auto image = originals_.find(point);
-    return numbers_.at(image == originals_.end() ? std::make_pair(turned, point)
-                                                 : std::make_pair(turned + 1, image->second));
+    const auto found =
+      numbers_.find(image == originals_.end() ? std::make_pair(turned, point)
+                                              : std::make_pair(turned + 1, image->second));
+    return found == numbers_.end() ? none : found->second;
+  }
+
+  std::vector<std::array<bool, 2 * SectorStrip::beside + 1>> SectorStrip::choose_elements() const
+  {
+    const FemSpace::Part &part = sector_.parts().front();
+    const Body           &body = sector_.model().bodies[part.body];
+    // An element is of the half of the tooth whose flank is nearer.
+    std::array<std::vector<Vector3>, 2> flanks;
+    for (unsigned int k = 0; k < 2; ++k)
+      {
+        const FacetSurface &surface =
+          body.mesh().surfaces.at(k == 0 ? surface_name::concave : surface_name::convex);
+        for (std::size_t i = 0; i < surface.nodes.size(); ++i)
+          if (body.structure().sector_of(surface.nodes[i]) == 0)
+            flanks[k].push_back(surface.positions[i]);
+      }
+    const auto distance = [](const std::vector<Vector3> &points, const Vector3 &x) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const Vector3 &point : points)
+        least = std::min(least, (point - x).squaredNorm());
+      return least;
+    };
+    // Sectors follow each other in the sense of rising angles.
+    const auto angle = [](const std::vector<Vector3> &points) {
+      Vector3 sum = Vector3::Zero();
+      for (const Vector3 &point : points)
+        sum += point;
+      return std::atan2(sum[1], sum[0]);
+    };
+    const bool convex_is_upper = std::remainder(angle(flanks[1]) - angle(flanks[0]), 2. * pi) > 0.;
+    const std::vector<Vector3> &lower = flanks[convex_is_upper ? 0 : 1],
+                               &upper = flanks[convex_is_upper ? 1 : 0];
+
+    std::vector<std::array<bool, 2 * beside + 1>> chosen(sector_.n_elements());
+    for (unsigned int e = 0; e < sector_.n_elements(); ++e)
+      if (is_of_teeth(body, sector_.body_element(e)))
+        {
+          Vector3 middle = Vector3::Zero();
+          for (unsigned int a = 0; a < sector_.points_per_element(); ++a)
+            middle += body_place(sector_.element_points(e)[a]) / sector_.points_per_element();
+          const bool is_lower = distance(lower, middle) < distance(upper, middle);
+          chosen[e]           = {{!is_lower, true, is_lower}};
+        }
+    return chosen;
   }
 
   void SectorStrip::add_elements()
   {
-    const FemSpace::Part &part = sector_.parts().front();
-    const Body           &body = sector_.model().bodies[part.body];
+    const auto chosen = choose_elements();
     for (int turned = -beside; turned <= beside; ++turned)
       for (unsigned int e = 0; e < sector_.n_elements(); ++e)
         {
-          if (!is_of_teeth(body, sector_.body_element(e)))
+          if (!chosen[e][beside + turned])
             continue;
           Element element{e, turned, {}};
           for (unsigned int a = 0; a < sector_.points_per_element(); ++a)
@@ -100,38 +146,36 @@ namespace vfife
 
   void SectorStrip::number_unknowns()
   {
-    const FemSpace::Part  &part = sector_.parts().front();
-    const Body            &body = sector_.model().bodies[part.body];
-    std::set<unsigned int> cut, lower_side;
-    for (const auto &image : originals_)
-      lower_side.insert(image.second);
-    const auto original = [this](const unsigned int point) {
-      const auto image = originals_.find(point);
-      return image == originals_.end() ? point : image->second;
+    const FemSpace::Part &part = sector_.parts().front();
+    const Body           &body = sector_.model().bodies[part.body];
+    // What the rest of the body has as well, in all sectors that points may be turned to; and what
+    // is held or turned.
+    std::vector<bool> cut(points_.size(), false);
+    const auto        chosen   = choose_elements();
+    const auto        cut_here = [&](const int turned, const unsigned int point) {
+      if (const unsigned int p = number(turned, point); p != none)
+        cut[p] = true;
     };
-    // What the rest of the body has as well, and what is held or turned.
+    bool is_held = true;
     for (unsigned int e = 0; e < sector_.n_elements(); ++e)
-      if (!is_of_teeth(body, sector_.body_element(e)))
-        for (unsigned int a = 0; a < sector_.points_per_element(); ++a)
-          cut.insert(original(sector_.element_points(e)[a]));
-    if (cut.empty())
-      for (const unsigned int point : sector_.points_of(part, held_nodes(body)))
-        cut.insert(original(point));
-    first_unknown_.assign(points_.size(), -1);
-    for (const auto &[key, number] : numbers_)
       {
-        const bool at_side =
-          (key.first == -beside && lower_side.count(key.second) > 0) || key.first == beside + 1;
-        if (at_side || cut.count(key.second) > 0)
-          cut_.push_back(number);
-        else
-          first_unknown_[number] = 0;
+        is_held = is_held && is_of_teeth(body, sector_.body_element(e));
+        for (int turned = -beside - 1; turned <= beside + 1; ++turned)
+          if (std::abs(turned) > beside || !chosen[e][beside + turned])
+            for (unsigned int a = 0; a < sector_.points_per_element(); ++a)
+              cut_here(turned, sector_.element_points(e)[a]);
       }
-    std::sort(cut_.begin(), cut_.end());
-    for (int &first : first_unknown_)
-      if (first == 0)
+    if (is_held)
+      for (const unsigned int point : sector_.points_of(part, held_nodes(body)))
+        for (int turned = -beside; turned <= beside + 1; ++turned)
+          cut_here(turned, point);
+    first_unknown_.assign(points_.size(), -1);
+    for (unsigned int p = 0; p < points_.size(); ++p)
+      if (cut[p])
+        cut_.push_back(p);
+      else
         {
-          first = n_unknowns_;
+          first_unknown_[p] = n_unknowns_;
           n_unknowns_ += 3;
         }
   }

@@ -5,6 +5,7 @@
 #include <vfife/fem/submodel/point_reading.h>
 #include <vfife/fem/system/fem_space.h>
 
+#include <array>
 #include <map>
 #include <utility>
 #include <vector>
@@ -14,8 +15,9 @@ namespace vfife
   class Communicator;
   class FemMatrix;
 
-  /** Teeth and rim of the sectors -1, 0 and 1 of a gear body, in the axes of the body. Points where
-   * they are cut from the rest of the body have given displacements. */
+  /** Teeth and rim of sector 0 of a gear body and of the halves of the sectors -1 and 1 that are
+   * next to it, in the axes of the body. Points where they are cut from the rest of the body have
+   * given displacements. */
   class SectorStrip
   {
   public:
@@ -29,6 +31,8 @@ namespace vfife
     {
       return points_;
     }
+    static constexpr unsigned int none = static_cast<unsigned int>(-1);
+
     /** Of the sector's point, turned by so many sectors; images of the next one included. */
     unsigned int number(int turned, unsigned int point) const;
 
@@ -62,8 +66,10 @@ namespace vfife
       std::vector<unsigned int> points;
     };
 
-    void            add_elements();
-    void            number_unknowns();
+    /** Whether the element of the sector belongs to the strip when it is turned. */
+    std::vector<std::array<bool, 2 * beside + 1>> choose_elements() const;
+    void                                          add_elements();
+    void                                          number_unknowns();
     FemMatrix       make_matrix(const Communicator &communicator) const;
     Vector3         body_place(unsigned int point) const;
     Matrix3         rotation(int turned) const;

@@ -84,11 +84,11 @@ namespace vfife
     for (int turned = -SectorStrip::beside; turned <= SectorStrip::beside; ++turned)
       {
         Eigen::MatrixXd &of_forces = of_forces_[SectorStrip::beside + turned];
-        of_forces.resize(readings.size(), 3 * flank_points_.size());
+        of_forces.setZero(readings.size(), 3 * flank_points_.size());
         for (std::size_t i = 0; i < flank_points_.size(); ++i)
-          of_forces.middleCols<3>(3 * i) =
-            influence.of_forces.middleCols<3>(3 * strip.number(turned, flank_points_[i])) *
-            rotation(turned);
+          if (const unsigned int p = strip.number(turned, flank_points_[i]); p != SectorStrip::none)
+            of_forces.middleCols<3>(3 * i) =
+              influence.of_forces.middleCols<3>(3 * p) * rotation(turned);
       }
 
     // The cut follows the nodes.

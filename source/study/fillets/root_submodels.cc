@@ -137,7 +137,7 @@ namespace vfife
       return nullptr;
     auto submodels =
       std::make_unique<const RootSubmodels>(model, std::move(*fine), !options.gauges.empty());
-    log.line("submodels of three teeth of each member: ",
+    log.line("submodels of the teeth of both members: ",
              submodels->n_unknowns(),
              " unknowns, found in ",
              seconds_since(start),

@@ -14,12 +14,12 @@
 namespace vfife
 {
   /**
-   * A fine mesh of three teeth and their rim that follows a gear body with a coarser mesh: a
-   * submodel. Where the teeth are cut from the rest of the body, they have the displacements of the
-   * body; the forces on the flanks act on the fine mesh. Stresses at fillets then have the error of
-   * the fine mesh (doc/theory/stress.md, Submodel). What is read of tooth 0, the middle one, is
-   * linear in displacements of the body's nodes and in forces, so it is solved for once; other
-   * teeth are turned copies.
+   * A fine mesh of a tooth, the halves beside it and their rim that follows a gear body with a
+   * coarser mesh: a submodel. Where the teeth are cut from the rest of the body, they have the
+   * displacements of the body; the forces on the flanks act on the fine mesh. Stresses at fillets
+   * then have the error of the fine mesh (doc/theory/stress.md, Submodel). What is read of tooth 0,
+   * the middle one, is linear in displacements of the body's nodes and in forces, so it is solved
+   * for once; other teeth are turned copies.
    */
   class ToothSubmodel
   {
