@@ -110,6 +110,8 @@ namespace vfife
                                      "Operation/mesh cycles=" + std::to_string(n_meshes),
                                      std::string("Operation/end time=0 s"),
                                      "Output/stress wave diameters=" + std::to_string(diameters),
+                                     // As the readings of the reduced pair beside them.
+                                     std::string("Fillets/source=elements"),
                                      std::string("Output/field output interval=0"),
                                      std::string("Output/report=no")})
       study.overrides.push_back(entry);

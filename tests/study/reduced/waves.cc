@@ -239,6 +239,7 @@ end
              world,
              {"Study/kind=reduced",
               "Fillets/teeth=all",
+              "Fillets/source=elements",
               "Operation/speed=" + std::to_string(lines.at("speed in contact")[0]) + " rpm",
               "Operation/mesh cycles=1"});
     const Table roots = read_result_table("fillets/root_stress.csv");
