@@ -3,6 +3,7 @@
 #include <vfife/base/facet_surface.h>
 
 #include <algorithm>
+#include <set>
 #include <tuple>
 
 namespace vfife
@@ -21,6 +22,15 @@ namespace vfife
       }
     };
   } // namespace
+
+  std::vector<unsigned int> list_group_nodes(const FacetSurface &surface, const unsigned int group)
+  {
+    std::set<unsigned int> nodes;
+    for (std::size_t f = 0; f < surface.facets.size(); ++f)
+      if (surface.group[f] == group)
+        nodes.insert(surface.facets[f].begin(), surface.facets[f].end());
+    return {nodes.begin(), nodes.end()};
+  }
 
   void find_neighbours(FacetSurface &surface)
   {

@@ -1,7 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
-#include <vfife/base/types.h>
 #include <vfife/mesh/body_structure.h>
+
+#include <Eigen/Geometry>
 
 #include <utility>
 
@@ -23,6 +24,11 @@ namespace vfife
   double BodyStructure::angle(const unsigned int sector) const
   {
     return 2. * pi * sector / n_sectors_;
+  }
+
+  Matrix3 BodyStructure::turn(const int sectors) const
+  {
+    return Eigen::AngleAxisd(sectors * pitch(), Vector3::UnitZ()).toRotationMatrix();
   }
 
   unsigned int BodyStructure::copy(const unsigned int node, const int further) const

@@ -31,27 +31,14 @@ namespace
                    const Bounds          &bounds,
                    const Communicator    &world)
   {
-    Model model;
-    model.add_body(Body("pinion", make_gear_body(paper::pinion(), options), Material()));
-    const Body &body = model.bodies[0];
-    Constraint  bore;
-    bore.name         = "bore";
-    bore.nodes        = body.node_set(node_set::bore);
-    model.constraints = {bore};
+    const Model      model = make_held_pinion(options);
+    const Body      &body  = model.bodies[0];
     const Compliance compliance(model, fem, false, world);
     check(mesh + "by one sector", compliance.by_sectors());
 
-    // 100 MPa on the concave flank of tooth 0.
-    Load load;
-    load.name     = "pressure";
-    load.kind     = LoadKind::pressure;
-    load.pressure = 100.;
-    for (const unsigned int node : body.mesh().surfaces.at(surface_name::concave).nodes)
-      if (body.structure().sector_of(node) == 0)
-        load.nodes.push_back(node);
     const FemSpace     &space = compliance.space();
     std::vector<double> forces(3 * std::size_t(space.n_points()), 0.);
-    add_load_forces(load, space, space.parts()[0], 1., forces);
+    add_load_forces(press_flank(body), space, space.parts()[0], 1., forces);
     Vector3 sum = Vector3::Zero();
     for (unsigned int p = 0; p < space.n_points(); ++p)
       sum += Vector3(forces[3 * p], forces[3 * p + 1], forces[3 * p + 2]);

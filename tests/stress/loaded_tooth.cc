@@ -38,12 +38,8 @@ namespace
     LoadedTooth(GearBodyOptions options, const unsigned int refinements)
     {
       options.refinements = refinements;
-      model.add_body(Body("pinion", make_gear_body(paper::pinion(), options), Material()));
-      const Body &body = model.bodies[0];
-      Constraint  bore;
-      bore.name         = "bore";
-      bore.nodes        = body.node_set(node_set::bore);
-      model.constraints = {bore};
+      model               = make_held_pinion(options);
+      const Body &body    = model.bodies[0];
       loads.nodal_forces.assign(model.n_nodes(), Vector3::Zero());
       const FacetSurface       &flank = body.mesh().surfaces.at(surface_name::concave);
       const std::vector<double> areas = compute_nodal_areas(body, flank.nodes);

@@ -2,8 +2,11 @@
 #ifndef vfife_tests_stress_pinion_fillets_h
 #define vfife_tests_stress_pinion_fillets_h
 
+#include "../gear/paper_pair.h"
+#include "../mesh/paper_members.h"
 #include "../tests.h"
 
+#include <vfife/mesh/gear/gear_body.h>
 #include <vfife/mesh/node_set_names.h>
 #include <vfife/model/model.h>
 #include <vfife/output/measures/root_stress.h>
@@ -13,6 +16,32 @@ struct RootStresses
 {
   double tension = 0, compression = 0;
 };
+
+/** The paper's pinion, held by its bore. */
+inline vfife::Model make_held_pinion(const vfife::GearBodyOptions &options)
+{
+  vfife::Model model;
+  model.add_body(
+    vfife::Body("pinion", vfife::make_gear_body(paper::pinion(), options), vfife::Material()));
+  vfife::Constraint bore;
+  bore.name         = "bore";
+  bore.nodes        = model.bodies[0].node_set(vfife::node_set::bore);
+  model.constraints = {bore};
+  return model;
+}
+
+/** 100 MPa on the whole concave flank of tooth 0. */
+inline vfife::Load press_flank(const vfife::Body &body)
+{
+  vfife::Load load;
+  load.name     = "pressure";
+  load.kind     = vfife::LoadKind::pressure;
+  load.pressure = 100.;
+  for (const unsigned int node : body.mesh().surfaces.at(vfife::surface_name::concave).nodes)
+    if (body.structure().sector_of(node) == 0)
+      load.nodes.push_back(node);
+  return load;
+}
 
 /** Both fillets of all teeth of the body 0. */
 inline std::deque<vfife::MemberFillet> list_fillets(const vfife::Body &body)

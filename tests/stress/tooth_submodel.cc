@@ -22,39 +22,12 @@ using namespace vfife;
 
 namespace
 {
-  constexpr double pressure = 100.; ///< on the concave flank of tooth 0 [MPa]
-
-  Model make_pinion(const GearBodyOptions &options)
-  {
-    Model model;
-    model.add_body(Body("pinion", make_gear_body(paper::pinion(), options), Material()));
-    Constraint bore;
-    bore.name         = "bore";
-    bore.nodes        = model.bodies[0].node_set(node_set::bore);
-    model.constraints = {bore};
-    return model;
-  }
-
-  std::vector<unsigned int> list_flank_nodes(const Body &body)
-  {
-    std::vector<unsigned int> nodes;
-    for (const unsigned int node : body.mesh().surfaces.at(surface_name::concave).nodes)
-      if (body.structure().sector_of(node) == 0)
-        nodes.push_back(node);
-    return nodes;
-  }
-
   /** Displacements of all points under the pressure. */
   std::vector<double> solve(const Body &body, const Compliance &compliance)
   {
-    Load load;
-    load.name                 = "pressure";
-    load.kind                 = LoadKind::pressure;
-    load.pressure             = pressure;
-    load.nodes                = list_flank_nodes(body);
     const FemSpace     &space = compliance.space();
     std::vector<double> forces(3 * std::size_t(space.n_points()), 0.);
-    add_load_forces(load, space, space.parts()[0], 1., forces);
+    add_load_forces(press_flank(body), space, space.parts()[0], 1., forces);
     return compliance.solve(forces);
   }
 
@@ -77,10 +50,12 @@ namespace
                     ToothSubmodel::ToothForces &forces)
   {
     const Body &body = sector.model().bodies[0];
-    for (const BoundaryFace &face : find_boundary_faces(body, list_flank_nodes(body)))
+    const Load  load = press_flank(body);
+    for (const BoundaryFace &face : find_boundary_faces(body, load.nodes))
       for (const auto &[points, X] : points_of_face(sector, sector.parts()[0], face))
         for (const FacePoint &at : compute_face_points(X))
-          submodel.add_force(surface_name::concave, 0, X * at.N, -pressure * at.normal, forces);
+          submodel.add_force(
+            surface_name::concave, 0, X * at.N, -load.pressure * at.normal, forces);
   }
 } // namespace
 
@@ -88,12 +63,12 @@ int main(int argc, char **argv)
 {
   const TestRanks ranks(argc, argv);
   // The mesh that runs have by default, and that of submodels.
-  const Model     followed       = make_pinion(coarse(pinion_body_defaults()));
+  const Model     followed       = make_held_pinion(coarse(pinion_body_defaults()));
   GearBodyOptions options        = coarse(pinion_body_defaults());
   options.cells_lengthwise       = 10;
   options.grading_towards_fillet = 4.;
   options.surface_layer          = .5;
-  const Model fine               = make_pinion(options);
+  const Model fine               = make_held_pinion(options);
   const auto  fillets            = list_fillets(fine.bodies[0]);
   FemOptions  quadratic;
   quadratic.element  = FemElement::quadratic;

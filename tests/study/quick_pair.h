@@ -64,6 +64,20 @@ end
 )";
 }
 
+/** A strain gauge on the gear. */
+constexpr char gauge_of_gear[] = R"(
+subsection Fillets
+  set gauges = G
+  subsection Gauge G
+    set body   = gear
+    set side   = convex
+    set height = 0.6
+    set place  = 0.4
+    set length = 0.5 mm
+  end
+end
+)";
+
 /** The penalty of contact.prm as an entry, for starts without calibration. */
 constexpr char quick_penalty[] = "Contact/penalty=1071025";
 

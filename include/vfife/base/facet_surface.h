@@ -51,6 +51,9 @@ namespace vfife
     static constexpr unsigned int no_facet = static_cast<unsigned int>(-1);
   };
 
+  /** The surface nodes of a group's facets, ascending. */
+  std::vector<unsigned int> list_group_nodes(const FacetSurface &surface, unsigned int group);
+
   /** Fills FacetSurface::neighbours from the facets' shared edges. */
   void find_neighbours(FacetSurface &surface);
 } // namespace vfife

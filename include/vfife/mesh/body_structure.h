@@ -2,6 +2,8 @@
 #ifndef vfife_mesh_body_structure_h
 #define vfife_mesh_body_structure_h
 
+#include <vfife/base/types.h>
+
 #include <cstdint>
 #include <vector>
 
@@ -28,6 +30,8 @@ namespace vfife
     {
       return angle(1);
     }
+    /** About z by so many sectors, also backwards. */
+    Matrix3      turn(int sectors) const;
     unsigned int nodes_per_sector() const
     {
       return nodes_per_sector_;

@@ -77,11 +77,7 @@ namespace vfife
   std::vector<unsigned int> FlankPair::nodes_of(const unsigned int side,
                                                 const unsigned int group) const
   {
-    std::set<unsigned int> nodes;
-    for (std::size_t f = 0; f < facets_[side]->facets.size(); ++f)
-      if (facets_[side]->group[f] == group)
-        nodes.insert(facets_[side]->facets[f].begin(), facets_[side]->facets[f].end());
-    return {nodes.begin(), nodes.end()};
+    return list_group_nodes(*facets_[side], group);
   }
 
   unsigned int FlankPair::copy_of(const unsigned int side,

@@ -8,11 +8,10 @@
 #include <vfife/mesh/gear/gear_sector.h>
 #include <vfife/mesh/node_set_names.h>
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace vfife
 {
@@ -42,45 +41,42 @@ namespace vfife
 
   SectorStrip::SectorStrip(const FemSpace &sector)
     : sector_(sector)
+    , body_(sector.model().bodies[sector.parts().front().body])
     , originals_(sector.images().begin(), sector.images().end())
   {
-    add_elements();
-    number_unknowns();
-  }
-
-  Matrix3 SectorStrip::rotation(const int turned) const
-  {
-    return Eigen::AngleAxisd(turned * sector_.sector_angle(), Vector3::UnitZ()).toRotationMatrix();
+    const Chosen chosen = choose_elements();
+    add_elements(chosen);
+    number_unknowns(chosen);
   }
 
   Vector3 SectorStrip::body_place(const unsigned int point) const
   {
-    const RigidMotion &placement = sector_.model().bodies[sector_.parts().front().body].placement;
+    const RigidMotion &placement = body_.placement;
     return placement.rotation.transpose() * (sector_.points()[point] - placement.translation);
+  }
+
+  SectorStrip::Key SectorStrip::key_of(const int turned, const unsigned int point) const
+  {
+    const auto image = originals_.find(point);
+    return image == originals_.end() ? Key(turned, point) : Key(turned + 1, image->second);
   }
 
   unsigned int SectorStrip::number(const int turned, const unsigned int point) const
   {
-    const auto image = originals_.find(point);
-    const auto found =
-      numbers_.find(image == originals_.end() ? std::make_pair(turned, point)
-                                              : std::make_pair(turned + 1, image->second));
+    const auto found = numbers_.find(key_of(turned, point));
     return found == numbers_.end() ? none : found->second;
   }
 
-  std::vector<std::array<bool, 2 * SectorStrip::beside + 1>> SectorStrip::choose_elements() const
+  SectorStrip::Chosen SectorStrip::choose_elements() const
   {
-    const FemSpace::Part &part = sector_.parts().front();
-    const Body           &body = sector_.model().bodies[part.body];
     // An element is of the half of the tooth whose flank is nearer.
     std::array<std::vector<Vector3>, 2> flanks;
     for (unsigned int k = 0; k < 2; ++k)
       {
         const FacetSurface &surface =
-          body.mesh().surfaces.at(k == 0 ? surface_name::concave : surface_name::convex);
-        for (std::size_t i = 0; i < surface.nodes.size(); ++i)
-          if (body.structure().sector_of(surface.nodes[i]) == 0)
-            flanks[k].push_back(surface.positions[i]);
+          body_.mesh().surfaces.at(k == 0 ? surface_name::concave : surface_name::convex);
+        for (const unsigned int node : list_group_nodes(surface, 0))
+          flanks[k].push_back(surface.positions[node]);
       }
     const auto distance = [](const std::vector<Vector3> &points, const Vector3 &x) {
       double least = std::numeric_limits<double>::infinity();
@@ -90,31 +86,27 @@ namespace vfife
     };
     // Sectors follow each other in the sense of rising angles.
     const auto angle = [](const std::vector<Vector3> &points) {
-      Vector3 sum = Vector3::Zero();
-      for (const Vector3 &point : points)
-        sum += point;
+      const Vector3 sum = std::accumulate(points.begin(), points.end(), Vector3(0., 0., 0.));
       return std::atan2(sum[1], sum[0]);
     };
-    const bool convex_is_upper = std::remainder(angle(flanks[1]) - angle(flanks[0]), 2. * pi) > 0.;
-    const std::vector<Vector3> &lower = flanks[convex_is_upper ? 0 : 1],
-                               &upper = flanks[convex_is_upper ? 1 : 0];
+    if (std::remainder(angle(flanks[1]) - angle(flanks[0]), 2. * pi) < 0.)
+      std::swap(flanks[0], flanks[1]);
 
-    std::vector<std::array<bool, 2 * beside + 1>> chosen(sector_.n_elements());
+    Chosen chosen(sector_.n_elements());
     for (unsigned int e = 0; e < sector_.n_elements(); ++e)
-      if (is_of_teeth(body, sector_.body_element(e)))
+      if (is_of_teeth(body_, sector_.body_element(e)))
         {
           Vector3 middle = Vector3::Zero();
           for (unsigned int a = 0; a < sector_.points_per_element(); ++a)
             middle += body_place(sector_.element_points(e)[a]) / sector_.points_per_element();
-          const bool is_lower = distance(lower, middle) < distance(upper, middle);
+          const bool is_lower = distance(flanks[0], middle) < distance(flanks[1], middle);
           chosen[e]           = {{!is_lower, true, is_lower}};
         }
     return chosen;
   }
 
-  void SectorStrip::add_elements()
+  void SectorStrip::add_elements(const Chosen &chosen)
   {
-    const auto chosen = choose_elements();
     for (int turned = -beside; turned <= beside; ++turned)
       for (unsigned int e = 0; e < sector_.n_elements(); ++e)
         {
@@ -123,15 +115,11 @@ namespace vfife
           Element element{e, turned, {}};
           for (unsigned int a = 0; a < sector_.points_per_element(); ++a)
             {
-              const unsigned int point = sector_.element_points(e)[a];
-              const auto         image = originals_.find(point);
-              const auto         key   = image == originals_.end()
-                                           ? std::make_pair(turned, point)
-                                           : std::make_pair(turned + 1, image->second);
+              const Key key = key_of(turned, sector_.element_points(e)[a]);
               const auto [place, is_new] =
                 numbers_.try_emplace(key, static_cast<unsigned int>(points_.size()));
               if (is_new)
-                points_.push_back(rotation(key.first) * body_place(key.second));
+                points_.push_back(body_.structure().turn(key.first) * body_place(key.second));
               element.points.push_back(place->second);
             }
           elements_.push_back(std::move(element));
@@ -144,14 +132,11 @@ namespace vfife
                                                               sector_.element());
   }
 
-  void SectorStrip::number_unknowns()
+  void SectorStrip::number_unknowns(const Chosen &chosen)
   {
-    const FemSpace::Part &part = sector_.parts().front();
-    const Body           &body = sector_.model().bodies[part.body];
     // What the rest of the body has as well, in all sectors that points may be turned to; and what
     // is held or turned.
     std::vector<bool> cut(points_.size(), false);
-    const auto        chosen   = choose_elements();
     const auto        cut_here = [&](const int turned, const unsigned int point) {
       if (const unsigned int p = number(turned, point); p != none)
         cut[p] = true;
@@ -159,14 +144,14 @@ namespace vfife
     bool is_held = true;
     for (unsigned int e = 0; e < sector_.n_elements(); ++e)
       {
-        is_held = is_held && is_of_teeth(body, sector_.body_element(e));
+        is_held = is_held && chosen[e][beside];
         for (int turned = -beside - 1; turned <= beside + 1; ++turned)
           if (std::abs(turned) > beside || !chosen[e][beside + turned])
             for (unsigned int a = 0; a < sector_.points_per_element(); ++a)
               cut_here(turned, sector_.element_points(e)[a]);
       }
     if (is_held)
-      for (const unsigned int point : sector_.points_of(part, held_nodes(body)))
+      for (const unsigned int point : sector_.points_of(sector_.parts().front(), held_nodes(body_)))
         for (int turned = -beside; turned <= beside + 1; ++turned)
           cut_here(turned, point);
     first_unknown_.assign(points_.size(), -1);
@@ -190,7 +175,7 @@ namespace vfife
 
   Eigen::MatrixXd SectorStrip::stiffness_of(const Element &element) const
   {
-    const Matrix3   Q = rotation(element.turned);
+    const Matrix3   Q = body_.structure().turn(element.turned);
     Eigen::MatrixXd K = stiffness_[element.of_sector];
     for (Eigen::Index a = 0; a < K.rows(); a += 3)
       K.middleRows<3>(a) = (Q * K.middleRows<3>(a)).eval();

@@ -66,13 +66,17 @@ namespace vfife
       std::vector<unsigned int> points;
     };
 
-    /** Whether the element of the sector belongs to the strip when it is turned. */
-    std::vector<std::array<bool, 2 * beside + 1>> choose_elements() const;
-    void                                          add_elements();
-    void                                          number_unknowns();
+    /** A point turned so many times, images of the next sector by their originals. */
+    using Key = std::pair<int, unsigned int>;
+    Key key_of(int turned, unsigned int point) const;
+
+    /** By element of the sector: whether it belongs to the strip when it is turned. */
+    using Chosen = std::vector<std::array<bool, 2 * beside + 1>>;
+    Chosen          choose_elements() const;
+    void            add_elements(const Chosen &chosen);
+    void            number_unknowns(const Chosen &chosen);
     FemMatrix       make_matrix(const Communicator &communicator) const;
     Vector3         body_place(unsigned int point) const;
-    Matrix3         rotation(int turned) const;
     Eigen::MatrixXd stiffness_of(const Element &element) const;
     ElementNodes    places_of(const Element &element) const;
     bool            is_cut(const unsigned int point) const
@@ -80,15 +84,16 @@ namespace vfife
       return first_unknown_[point] < 0;
     }
 
-    const FemSpace                                      &sector_;
-    std::map<unsigned int, unsigned int>                 originals_; ///< of images
-    std::vector<Vector3>                                 points_;
-    std::map<std::pair<int, unsigned int>, unsigned int> numbers_;
-    std::vector<Element>                                 elements_;
-    std::vector<Eigen::MatrixXd>                         stiffness_; ///< by element of the sector
-    std::vector<unsigned int>                            cut_;
-    std::vector<int>                                     first_unknown_; ///< by point; -1: cut
-    unsigned int                                         n_unknowns_ = 0;
+    const FemSpace                      &sector_;
+    const Body                          &body_;      ///< of the sector
+    std::map<unsigned int, unsigned int> originals_; ///< of images
+    std::vector<Vector3>                 points_;
+    std::map<Key, unsigned int>          numbers_;
+    std::vector<Element>                 elements_;
+    std::vector<Eigen::MatrixXd>         stiffness_; ///< by element of the sector
+    std::vector<unsigned int>            cut_;
+    std::vector<int>                     first_unknown_; ///< by point; -1: cut
+    unsigned int                         n_unknowns_ = 0;
   };
 } // namespace vfife
 

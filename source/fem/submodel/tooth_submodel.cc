@@ -12,9 +12,6 @@
 #include <vfife/mesh/node_set_names.h>
 #include <vfife/model/load_shares.h>
 
-#include <Eigen/Geometry>
-
-#include <algorithm>
 #include <limits>
 
 namespace vfife
@@ -24,13 +21,9 @@ namespace vfife
     /** Nodes of the flank of tooth 0. */
     std::vector<unsigned int> flank_nodes(const FacetSurface &surface)
     {
-      std::vector<unsigned int> nodes;
-      for (std::size_t f = 0; f < surface.facets.size(); ++f)
-        if (surface.group[f] == 0)
-          for (const unsigned int corner : surface.facets[f])
-            nodes.push_back(surface.nodes[corner]);
-      std::sort(nodes.begin(), nodes.end());
-      nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+      std::vector<unsigned int> nodes = list_group_nodes(surface, 0);
+      for (unsigned int &node : nodes)
+        node = surface.nodes[node];
       return nodes;
     }
 
@@ -88,7 +81,7 @@ namespace vfife
         for (std::size_t i = 0; i < flank_points_.size(); ++i)
           if (const unsigned int p = strip.number(turned, flank_points_[i]); p != SectorStrip::none)
             of_forces.middleCols<3>(3 * i) =
-              influence.of_forces.middleCols<3>(3 * p) * rotation(turned);
+              influence.of_forces.middleCols<3>(3 * p) * followed.structure().turn(turned);
       }
 
     // The cut follows the nodes.
@@ -107,12 +100,6 @@ namespace vfife
         of_displacements_.middleCols<3>(3 * nodes_.size()) = columns;
         nodes_.push_back(node);
       }
-  }
-
-  Matrix3 ToothSubmodel::rotation(const int sectors) const
-  {
-    return Eigen::AngleAxisd(sectors * followed_->structure().pitch(), Vector3::UnitZ())
-      .toRotationMatrix();
   }
 
   void ToothSubmodel::find_flanks(const FemSpace &sector)
@@ -213,7 +200,7 @@ namespace vfife
                                 const Vector3     &force,
                                 ToothForces       &forces) const
   {
-    const Matrix3    back = rotation(-static_cast<int>(tooth));
+    const Matrix3    back = followed_->structure().turn(-static_cast<int>(tooth));
     const FacePlace  foot = find_on_flank(surface, back * place);
     Eigen::VectorXd &own  = forces_of(tooth, forces);
     for (std::size_t a = 0; a < foot.first->points.size(); ++a)
@@ -229,7 +216,7 @@ namespace vfife
     if (shares == node_shares_.end())
       return;
     const unsigned int tooth = structure.sector_of(node);
-    const Vector3      own   = rotation(-static_cast<int>(tooth)) * force;
+    const Vector3      own   = followed_->structure().turn(-static_cast<int>(tooth)) * force;
     Eigen::VectorXd   &all   = forces_of(tooth, forces);
     for (const auto &[point, weight] : shares->second)
       all.segment<3>(3 * point) += weight * own;
@@ -246,7 +233,7 @@ namespace vfife
 
   Eigen::VectorXd ToothSubmodel::follow(const unsigned int tooth, const NodeDisplacement &u) const
   {
-    const Matrix3   back = rotation(-static_cast<int>(tooth));
+    const Matrix3   back = followed_->structure().turn(-static_cast<int>(tooth));
     Eigen::VectorXd own(3 * nodes_.size());
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       own.segment<3>(3 * i) = back * u(followed_->structure().copy(nodes_[i], tooth));

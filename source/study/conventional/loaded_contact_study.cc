@@ -72,12 +72,13 @@ namespace vfife
       Recorders(const Model                         &model,
                 const FilletOptions                 &fillet_options,
                 std::unique_ptr<const RootSubmodels> submodels,
+                const bool                           spins,
                 OutputFolder                        &folder,
                 const OutputOptions                 &output)
         : probes(model)
         , supports(model)
         , pattern(model)
-        , fillets(model, fillet_options, std::move(submodels))
+        , fillets(model, fillet_options, std::move(submodels), spins)
         , parts(model)
         , fields(folder, model, output)
       {
@@ -88,20 +89,16 @@ namespace vfife
                const FemSpace              &space,
                const PairEquilibrium       &equilibrium,
                const PairEquilibriumResult &result,
-               const std::vector<Stress>   &stresses,
-               const bool                   spins)
+               const std::vector<Stress>   &stresses)
       {
+        const std::vector<ToothPressure> none;
         probes.add_position(position, stresses);
         supports.add_position(space, position, result);
         pattern.add_position(result);
         parts.look([&](const unsigned int node) { return von_mises(stresses[node]); });
         fields.add_position(position, space, equilibrium, result, stresses);
-        fillets.add_position(space,
-                             position,
-                             equilibrium,
-                             result,
-                             pressure ? pressure->teeth() : std::vector<ToothPressure>(),
-                             spins);
+        fillets.add_position(
+          space, position, equilibrium, result, pressure ? pressure->teeth() : none);
       }
     };
 
@@ -308,8 +305,12 @@ namespace vfife
       turns.push_back(position.meshes * pitch);
     // One factorization serves all positions: bodies stay as they are in turning axes.
     PairEquilibrium equilibrium(model, compliance, turns);
-    Recorders       recorders(
-      model, fillets_, make_root_submodels(gear_case_, fillets_, model, log), folder, output_);
+    Recorders       recorders(model,
+                        fillets_,
+                        make_root_submodels(gear_case_, fillets_, model, log),
+                        options_.centrifugal,
+                        folder,
+                        output_);
     recorders.pressure             = make_pressure(model, compliance);
     LoadedPressure *const pressure = recorders.pressure.get();
     for (std::size_t i = 0; i < turns.size(); ++i)
@@ -334,8 +335,7 @@ namespace vfife
             errors.loaded += gear_case_.leaves_penalty_open() ? change : 0.;
           }
         add_position(model, errors, turn / pitch, result, stresses, log);
-        recorders.add(
-          turn / pitch, compliance.space(), equilibrium, result, stresses, options_.centrifugal);
+        recorders.add(turn / pitch, compliance.space(), equilibrium, result, stresses);
         log.line("  ",
                  result.iterations,
                  " iterations, residual ",

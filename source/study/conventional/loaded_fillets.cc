@@ -29,11 +29,13 @@ namespace vfife
 
   LoadedFillets::LoadedFillets(const Model                         &model,
                                const FilletOptions                 &options,
-                               std::unique_ptr<const RootSubmodels> submodels)
+                               std::unique_ptr<const RootSubmodels> submodels,
+                               const bool                           spins)
     : model_(model)
     , stress_columns_(list_root_stress_columns())
     , gauge_columns_(list_gauge_columns())
     , submodels_(std::move(submodels))
+    , spins_(spins)
     , stress_(submodels_ ? submodels_->fine() : model, options)
     , stresses_(make_loaded_root_stress_table())
     , gauges_(make_loaded_gauge_table())
@@ -43,8 +45,7 @@ namespace vfife
   FilletStrains LoadedFillets::follow(const FemSpace                   &space,
                                       const PairEquilibrium            &equilibrium,
                                       const PairEquilibriumResult      &result,
-                                      const std::vector<ToothPressure> &pressures,
-                                      const bool                        spins) const
+                                      const std::vector<ToothPressure> &pressures) const
   {
     const ContactPair                        &contact = model_.contacts.front();
     std::array<RootSubmodels::MemberState, 2> states;
@@ -55,7 +56,7 @@ namespace vfife
         const Matrix3               to_body = body.placement.rotation.transpose();
         const unsigned int          first   = space.find_part(b)->first_point;
         RootSubmodels::MemberState &state   = states[b];
-        state.rate                          = spins ? body.rate : 0.;
+        state.rate                          = spins_ ? body.rate : 0.;
         state.followed                      = [&, to_body, first](const unsigned int tooth) {
           return teeth.follow(tooth, [&](const unsigned int node) -> Vector3 {
             return to_body * Eigen::Map<const Vector3>(result.displacements.data() +
@@ -85,14 +86,13 @@ namespace vfife
                                    const double                      position,
                                    const PairEquilibrium            &equilibrium,
                                    const PairEquilibriumResult      &result,
-                                   const std::vector<ToothPressure> &pressures,
-                                   const bool                        spins)
+                                   const std::vector<ToothPressure> &pressures)
   {
     // Bodies stay in the axes of time zero; turned teeth are their copies.
     if (!faces_ && !submodels_)
       faces_ = std::make_unique<FilletFaces>(space, stress_.fillets());
-    const FilletStrains strains = submodels_ ? follow(space, equilibrium, result, pressures, spins)
-                                             : faces_->of(result.displacements);
+    const FilletStrains strains =
+      submodels_ ? follow(space, equilibrium, result, pressures) : faces_->of(result.displacements);
     add_rows(stress_columns_,
              position,
              stress_.measure(position, result.teeth, strains),

@@ -8,8 +8,6 @@
 #include <vfife/study/fillets/facet_readings.h>
 #include <vfife/study/fillets/root_submodels.h>
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 
 namespace vfife
@@ -107,8 +105,7 @@ namespace vfife
     strains.gauge = [this, read](const MemberGauge &gauge, const unsigned int tooth) {
       const Eigen::VectorXd &values    = read(gauge.body, tooth);
       const BodyStructure   &structure = fine_.bodies[gauge.body].structure();
-      const Matrix3          turned =
-        Eigen::AngleAxisd(structure.angle(tooth), Vector3::UnitZ()).toRotationMatrix();
+      const Matrix3          turned    = structure.turn(static_cast<int>(tooth));
       return gauge.gauge.of_displacements(
         [&](const unsigned int node) -> Vector3 {
           const unsigned int of_tooth_0 = structure.copy(node, -static_cast<int>(tooth));

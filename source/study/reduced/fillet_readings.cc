@@ -150,22 +150,29 @@ namespace vfife
                                           const RootSubmodels &submodels,
                                           const ReducedPair   &pair)
   {
-    return [&](const State &state) {
+    std::array<std::vector<unsigned int>, 2> flanks;
+    std::array<unsigned int, 2>              firsts;
+    for (unsigned int b = 0; b < flanks.size(); ++b)
+      {
+        flanks[b] = submodels.of_body(b).list_flank_nodes();
+        firsts[b] = pair.body(b).find_reading(name_of_submodel_reading(0));
+      }
+    return [&model, &submodels, &pair, flanks, firsts](const State &state) {
       std::array<RootSubmodels::MemberState, 2> states;
       for (unsigned int b = 0; b < states.size(); ++b)
         {
           const ToothSubmodel &submodel = submodels.of_body(b);
-          const unsigned int   first    = pair.body(b).find_reading(name_of_submodel_reading(0));
           states[b].rate                = pair.body(b).rate;
-          states[b].followed = [&submodel, first, read = pair.reader(b)](const unsigned int tooth) {
-            Eigen::VectorXd values(submodel.of_displacements().rows());
-            for (Eigen::Index row = 0; row < values.size(); ++row)
-              values[row] = read(first + row, tooth);
-            return values;
-          };
+          states[b].followed =
+            [&submodel, first = firsts[b], read = pair.reader(b)](const unsigned int tooth) {
+              Eigen::VectorXd values(submodel.of_displacements().rows());
+              for (Eigen::Index row = 0; row < values.size(); ++row)
+                values[row] = read(first + row, tooth);
+              return values;
+            };
           // Forces act in the fixed frame, on the body as it has turned.
           const Matrix3 to_body = pair.body_motion(b).rotation.transpose();
-          for (const unsigned int node : submodel.list_flank_nodes())
+          for (const unsigned int node : flanks[b])
             {
               const Vector3 force = state.contact_force.value(model.bodies[b].first_node + node);
               if (!force.isZero(0.))

@@ -16,19 +16,6 @@ using namespace vfife;
 
 namespace
 {
-  const std::string gauge_of_gear = R"(
-subsection Fillets
-  set gauges = G
-  subsection Gauge G
-    set body   = gear
-    set side   = convex
-    set height = 0.6
-    set place  = 0.4
-    set length = 0.5 mm
-  end
-end
-)";
-
   void write_file(const std::string &more)
   {
     std::ofstream("root_stress.prm")

@@ -13,19 +13,6 @@ using namespace vfife;
 
 namespace
 {
-  const std::string gauge = R"(
-subsection Fillets
-  set gauges = G
-  subsection Gauge G
-    set body   = gear
-    set side   = convex
-    set height = 0.6
-    set place  = 0.4
-    set length = 0.5 mm
-  end
-end
-)";
-
   /** Rows of root_stress.csv by body, fillet and tooth: tension and compression [MPa]. */
   using Stresses = std::map<std::string, std::pair<double, double>>;
 
@@ -102,17 +89,17 @@ int main(int argc, char **argv)
   const std::vector<std::string> submodels = {"Fillets/teeth=in mesh",
                                               "Fillets/source=submodel",
                                               "Fillets/submodel elements along face width=4"};
-  do_case("run", "run", gauge, submodels, world);
-  do_case("reduced", "reduced", gauge, submodels, world);
+  do_case("run", "run", gauge_of_gear, submodels, world);
+  do_case("reduced", "reduced", gauge_of_gear, submodels, world);
   std::vector<std::string> one_position = submodels;
   one_position.insert(one_position.end(),
                       {"Loaded contact/positions=1", "Loaded contact/pressure cells=0"});
-  do_case("loaded tooth contact analysis", "loaded", gauge, one_position, world);
+  do_case("loaded tooth contact analysis", "loaded", gauge_of_gear, one_position, world);
   one_position.back() = "Loaded contact/pressure cells=8";
-  do_case("loaded tooth contact analysis", "grid", gauge, one_position, world);
+  do_case("loaded tooth contact analysis", "grid", gauge_of_gear, one_position, world);
   do_case("loaded tooth contact analysis",
           "elements",
-          gauge,
+          gauge_of_gear,
           {"Fillets/teeth=in mesh",
            "Loaded contact/positions=1",
            "Loaded contact/pressure cells=0"},

@@ -86,11 +86,9 @@ namespace vfife
     /** Shape functions of the points of the face below or above a place. */
     using FacePlace = std::pair<const FlankFace *, Eigen::VectorXd>;
 
-    void      find_flanks(const FemSpace &sector);
-    FacePlace find_on_flank(const std::string &surface, const Vector3 &place) const;
-    void      find_node_shares();
-    /** Turns by so many sectors. */
-    Matrix3          rotation(int sectors) const;
+    void             find_flanks(const FemSpace &sector);
+    FacePlace        find_on_flank(const std::string &surface, const Vector3 &place) const;
+    void             find_node_shares();
     Eigen::VectorXd &forces_of(unsigned int tooth, ToothForces &forces) const;
 
     const Body                                   *followed_;

@@ -23,10 +23,11 @@ namespace vfife
   {
   public:
     /** As RootStress. @p submodels: of the model; without them the model's own elements are read.
-     */
+     * @p spins: whether displacements have centrifugal parts. */
     LoadedFillets(const Model                         &model,
                   const FilletOptions                 &options,
-                  std::unique_ptr<const RootSubmodels> submodels);
+                  std::unique_ptr<const RootSubmodels> submodels,
+                  bool                                 spins);
 
     /** At the last position of @p equilibrium [mesh cycles]; all of one space. @p pressures: on
      * grids of their own, by which the flanks of submodels are loaded; empty: by the nodal forces.
@@ -35,8 +36,7 @@ namespace vfife
                       double                            position,
                       const PairEquilibrium            &equilibrium,
                       const PairEquilibriumResult      &result,
-                      const std::vector<ToothPressure> &pressures,
-                      bool                              spins);
+                      const std::vector<ToothPressure> &pressures);
 
     /** Says the largest stresses and writes what there is. */
     void write(const OutputFolder &folder, Log &log) const;
@@ -47,13 +47,13 @@ namespace vfife
     FilletStrains follow(const FemSpace                   &space,
                          const PairEquilibrium            &equilibrium,
                          const PairEquilibriumResult      &result,
-                         const std::vector<ToothPressure> &pressures,
-                         bool                              spins) const;
+                         const std::vector<ToothPressure> &pressures) const;
 
     const Model                         &model_;
     SampleColumns<RootStressSample>      stress_columns_;
     SampleColumns<GaugeSample>           gauge_columns_;
     std::unique_ptr<const RootSubmodels> submodels_;
+    bool                                 spins_;
     RootStress                           stress_;
     std::unique_ptr<FilletFaces>         faces_; ///< of the space of the first position
     Table                                stresses_, gauges_;
