@@ -19,17 +19,11 @@ namespace vfife
   namespace
   {
     constexpr unsigned int no_place = static_cast<unsigned int>(-1);
-
-    /** exp(i h k alpha) */
-    std::complex<double>
-    phase(const ReducedBody &body, const unsigned int harmonic, const int sector)
-    {
-      return std::polar(1., int(harmonic) * sector * body.sector_angle);
-    }
   } // namespace
 
   TouchRows::TouchRows(const ReducedBody &body, std::vector<MatrixXcd> gains, const RingAxes axes)
     : body_(body)
+    , phase_(body.n_sectors)
     , gains_(std::move(gains))
     , placement_(axes.placement)
     , to_rows_(MatrixXd::Zero(6 * body.rings.n_bearings, 6 * body.rings.size()))
@@ -66,7 +60,7 @@ namespace vfife
       {
         const ReducedBody::Harmonic &harmonic = body_.harmonics[i];
         const MatrixXcd              z        = harmonic.shapes.topRows(n);
-        block += ((phase(body_, harmonic.number, distance) * z) * (gains_[i] * z.adjoint())).real();
+        block += ((phase_(harmonic.number, distance) * z) * (gains_[i] * z.adjoint())).real();
       }
     return blocks_.emplace(distance, std::move(block)).first->second;
   }
@@ -101,7 +95,7 @@ namespace vfife
           for (const ReducedBody::Harmonic &harmonic : body_.harmonics)
             {
               const MatrixXcd z =
-                phase(body_, harmonic.number, run.sector) * harmonic.shapes.middleRows<3>(from);
+                phase_(harmonic.number, run.sector) * harmonic.shapes.middleRows<3>(from);
               shapes_.block(mode, to, z.cols(), 3)           = z.real().transpose();
               shapes_.block(n_modes + mode, to, z.cols(), 3) = -z.imag().transpose();
               mode += z.cols();
@@ -185,7 +179,7 @@ namespace vfife
                         axial.acceleration * body_.euler_residual.head(n);
             for (std::size_t h = 0; h < body_.harmonics.size(); ++h)
               of_sector += (body_.harmonics[h].shapes.topRows(n) *
-                            (phase(body_, body_.harmonics[h].number, sector) * coordinates[h]))
+                            (phase_(body_.harmonics[h].number, sector) * coordinates[h]))
                              .real();
             for (const Run &run : runs_)
               if (const MatrixXd *const residual =
@@ -195,8 +189,7 @@ namespace vfife
                     if (const double f = forces[run.first + 3 * k + c]; f != 0.)
                       of_sector += f * residual->col(3 * run.places[k] + c).head(n);
             for (unsigned int h = 0; h < 2 && loads.size() > 0; ++h)
-              of_sector +=
-                (phase(body_, h, sector) * (body_.rings.answers[h].topRows(n) * loads)).real();
+              of_sector += (phase_(h, sector) * (body_.rings.answers[h].topRows(n) * loads)).real();
           }
         u.segment<3>(3 * i) = of_sector.segment<3>(3 * place_of_[body_.first_copy(nodes[i])]);
       }
@@ -238,7 +231,7 @@ namespace vfife
     double             value = body_.read_axial(row, axial);
     for (std::size_t i = 0; i < body_.harmonics.size(); ++i)
       if (coordinates[i].size() > 0)
-        value += (phase(body_, body_.harmonics[i].number, sector) *
+        value += (phase_(body_.harmonics[i].number, sector) *
                   (body_.harmonics[i].shapes.row(row) * coordinates[i])(0))
                    .real();
     for (const Run &run : runs_)
@@ -253,7 +246,7 @@ namespace vfife
       }
     const VectorXd loads = ring_loads(forces);
     for (unsigned int h = 0; h < 2 && loads.size() > 0; ++h)
-      value += (phase(body_, h, sector) * (body_.rings.answers[h].row(row) * loads)(0)).real();
+      value += (phase_(h, sector) * (body_.rings.answers[h].row(row) * loads)(0)).real();
     return value;
   }
 
@@ -287,7 +280,7 @@ namespace vfife
     const int far = body_.reach;
     // Half a turn away lies one sector in both senses.
     for (int d = 2 * body_.reach == body_.n_sectors ? 1 - far : -far; d <= far; ++d)
-      wave += phase(body_, n, d) *
+      wave += phase_(n, d) *
               body_.find_residual(d)->row(reading_row(reading)).cast<std::complex<double>>();
     return wave;
   }
@@ -312,7 +305,7 @@ namespace vfife
         for (std::size_t k = 0; k < run.places.size(); ++k)
           for (unsigned int c = 0; c < 3; ++c)
             sum += wave[3 * run.places[k] + c] * forces[run.first + 3 * k + c];
-        value += phase(body_, n, run.sector) * sum;
+        value += phase_(n, run.sector) * sum;
       }
     if (const VectorXd loads = ring_loads(forces); loads.size() > 0 && n == 1)
       value += .5 * body_.n_sectors *

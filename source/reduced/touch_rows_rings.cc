@@ -48,7 +48,7 @@ namespace vfife
     for (const Run &run : runs_)
       for (std::size_t k = 0; k < run.places.size(); ++k)
         {
-          const std::complex<double> turned = std::polar(1., int(run.sector) * body_.sector_angle);
+          const std::complex<double> turned = phase_(1, run.sector);
           const Eigen::Index         from   = 3 * run.places[k];
           flexibility_.block(run.first + 3 * k, first, 3, n_rings) =
             at_nodes[0].middleRows<3>(from).real() +
@@ -83,11 +83,9 @@ namespace vfife
         {
           const Eigen::Index at = 3 * run.places[k];
           for (unsigned int h = 0; h < 2; ++h)
-            motion += (std::polar(1., int(h * run.sector) * body_.sector_angle) *
-                       rings.answers[h].block<3, 6>(at, first))
-                        .real()
-                        .transpose() *
-                      forces.segment<3>(run.first + 3 * k);
+            motion +=
+              (phase_(h, run.sector) * rings.answers[h].block<3, 6>(at, first)).real().transpose() *
+              forces.segment<3>(run.first + 3 * k);
         }
     motion << placement_ * motion.head<3>().eval(), placement_ * motion.tail<3>().eval();
     return motion;

@@ -86,10 +86,12 @@ namespace shaft_pair
            ring("110", "120") + "end\nend\nend\nend\n";
   }
 
+  /** Without root stresses. */
   inline std::string operation(const std::string &speed)
   {
     return "subsection Operation\nset speed = " + speed +
            "\nset torque = 800 N m\nset mesh cycles = 1\nend\n"
+           "subsection Fillets\nset teeth = none\nend\n"
            "subsection Output\nset samples per mesh cycle = 20\nset report = no\nset verbosity = "
            "quiet\n"
            "end\n";

@@ -2,6 +2,7 @@
 #ifndef vfife_reduced_touch_rows_h
 #define vfife_reduced_touch_rows_h
 
+#include <vfife/fem/cyclic/roots_of_unity.h>
 #include <vfife/reduced/reduced_body.h>
 
 #include <complex>
@@ -138,6 +139,7 @@ namespace vfife
     const Eigen::RowVectorXcd &find_wave(unsigned int reading, unsigned int n);
 
     const ReducedBody             &body_;
+    RootsOfUnity                   phase_;
     std::vector<Eigen::MatrixXcd>  gains_;
     Matrix3                        placement_;
     Eigen::MatrixXd                to_rows_;  ///< motions of all rings to rows of bearings' seats

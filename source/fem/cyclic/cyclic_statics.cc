@@ -19,6 +19,7 @@ namespace vfife
                                const double          rate,
                                const Communicator   &communicator)
     : body_(whole.model(), part.body, options, rate)
+    , phase_(body_.n_sectors())
     , copies_(body_.sector(), whole, part)
     , communicator_(communicator)
   {
@@ -106,21 +107,14 @@ namespace vfife
     const Eigen::MatrixXd &S = condensed_->border_matrix();
     const unsigned int     n = n_border_;
     Eigen::MatrixXcd       A = (S.topLeftCorner(n, n) + S.bottomRightCorner(n, n)).cast<Complex>() +
-                         phase(number, 1) * S.topRightCorner(n, n).cast<Complex>() +
-                         std::conj(phase(number, 1)) * S.bottomLeftCorner(n, n).cast<Complex>();
+                         phase_(number, 1) * S.topRightCorner(n, n).cast<Complex>() +
+                         std::conj(phase_(number, 1)) * S.bottomLeftCorner(n, n).cast<Complex>();
     if (number == 0 && pinned_)
       {
         const Eigen::VectorXcd turn = turn_of_border().cast<Complex>();
         A += turn_stiffness_ * turn * turn.adjoint();
       }
     return A;
-  }
-
-  Complex CyclicStatics::phase(const unsigned int harmonic, const unsigned int sectors) const
-  {
-    // By whole numbers of the sectors, so that no turn is lost to round-off.
-    const unsigned int n = body_.n_sectors();
-    return std::polar(1., 2. * pi * (harmonic * sectors % n) / n);
   }
 
   double CyclicStatics::weight(const unsigned int harmonic) const

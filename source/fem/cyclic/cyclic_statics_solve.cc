@@ -34,17 +34,29 @@ namespace vfife
     // (g_0 + exp(-i h alpha) g_1), and x_k = sum over h of w Re(x_h exp(i h k alpha)).
     const unsigned int n = n_border_, n_sectors = loads.cols();
     Eigen::MatrixXd    x = Eigen::MatrixXd::Zero(n, n_sectors);
-    for (const Harmonic &harmonic : harmonics_)
+    // All harmonics at once, in real arithmetic.
+    const Eigen::Index n_harmonics = harmonics_.size();
+    Eigen::MatrixXd    cosines(n_sectors, n_harmonics), sines(n_sectors, n_harmonics);
+    for (Eigen::Index i = 0; i < n_harmonics; ++i)
+      for (unsigned int k = 0; k < n_sectors; ++k)
+        {
+          const Complex phase = phase_(harmonics_[i].number, k);
+          cosines(k, i)       = phase.real();
+          sines(k, i)         = phase.imag();
+        }
+    const Eigen::MatrixXd with_cosine = loads * cosines, with_sine = loads * sines;
+    Eigen::MatrixXd       real(n, n_harmonics), imaginary(n, n_harmonics);
+    for (Eigen::Index i = 0; i < n_harmonics; ++i)
       {
-        Eigen::VectorXcd phases(n_sectors);
-        for (unsigned int k = 0; k < n_sectors; ++k)
-          phases[k] = phase(harmonic.number, k);
-        const Eigen::VectorXcd all = loads.cast<Complex>() * phases.conjugate();
+        const Harmonic        &harmonic = harmonics_[i];
+        const Eigen::VectorXcd all      = with_cosine.col(i) - Complex(0., 1.) * with_sine.col(i);
         const Eigen::VectorXcd on_border =
-          all.head(n) + std::conj(phase(harmonic.number, 1)) * all.tail(n);
+          all.head(n) + std::conj(phase_(harmonic.number, 1)) * all.tail(n);
         const Eigen::VectorXcd answer = weight(harmonic.number) * harmonic.factor.solve(on_border);
-        x += (answer * phases.transpose()).real();
+        real.col(i)                   = answer.real();
+        imaginary.col(i)              = answer.imag();
       }
+    x += real * cosines.transpose() - imaginary * sines.transpose();
     communicator_.sum(x.data(), x.size());
     Eigen::MatrixXd both(2 * n, n_sectors);
     for (unsigned int k = 0; k < n_sectors; ++k)
@@ -161,9 +173,9 @@ namespace vfife
         const Eigen::MatrixXcd A =
           weight(h) *
           harmonic.factor.project(loads.topRows(n).cast<Complex>() +
-                                  std::conj(phase(h, 1)) * loads.bottomRows(n).cast<Complex>());
+                                  std::conj(phase_(h, 1)) * loads.bottomRows(n).cast<Complex>());
         for (auto &[d, flexibility] : flexibility_)
-          flexibility += phase(h, d).real() * A.real() - phase(h, d).imag() * A.imag();
+          flexibility += phase_(h, d).real() * A.real() - phase_(h, d).imag() * A.imag();
       }
     for (auto &[d, flexibility] : flexibility_)
       communicator_.sum(flexibility.data(), flexibility.size());

@@ -22,7 +22,9 @@ namespace
    * eighth but for the first one. */
   Curve analyse(const std::vector<std::string> &entries, Communicator &world)
   {
-    std::vector<std::string> overrides = {"Loaded contact/positions=3", "Output/report=no"};
+    std::vector<std::string> overrides = {"Loaded contact/positions=3",
+                                          "Fillets/teeth=none",
+                                          "Output/report=no"};
     overrides.insert(overrides.end(), entries.begin(), entries.end());
     run_pair(tree_folder() + "/prm/fem/loaded_spiral_bevel_quick.prm",
              "auto_penalty",

@@ -3,6 +3,7 @@
 #define vfife_fem_cyclic_cyclic_statics_h
 
 #include <vfife/fem/cyclic/cyclic_body.h>
+#include <vfife/fem/cyclic/roots_of_unity.h>
 #include <vfife/fem/modes/sector_copies.h>
 #include <vfife/fem/solvers/condensation.h>
 #include <vfife/fem/solvers/hermitian_factor.h>
@@ -75,8 +76,6 @@ namespace vfife
     std::vector<unsigned int> find_border() const;
     void                      factorize();
     Eigen::MatrixXcd          harmonic_matrix(unsigned int number) const;
-    /** exp(i h alpha s) of the harmonic h and s sectors. */
-    std::complex<double> phase(unsigned int harmonic, unsigned int sectors) const;
     /** Of the harmonic's real part in a sum over all of them. */
     double weight(unsigned int harmonic) const;
     /** Displacements of both borders of all sectors (a column each) under loads on them. */
@@ -93,6 +92,7 @@ namespace vfife
     Eigen::MatrixXd     solve_sectors(Eigen::MatrixXd x) const;
 
     CyclicBody                    body_;
+    RootsOfUnity                  phase_;
     SectorCopies                  copies_;
     const Communicator           &communicator_;
     HubRotation                   hub_ = HubRotation::pinned; ///< of the sector's unknowns
