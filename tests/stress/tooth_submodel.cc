@@ -44,6 +44,35 @@ namespace
     return readings;
   }
 
+  /** Tractions that are left on all facets of both fillets. */
+  std::vector<PointReading> read_tractions(const FemSpace                 &sector,
+                                           const std::deque<MemberFillet> &fillets)
+  {
+    std::vector<PointReading> readings;
+    for (const MemberFillet &member : fillets)
+      for (unsigned int column = 0; column < member.fillet.n_columns(); ++column)
+        for (unsigned int row = Fillet::first_row; row < member.fillet.end_row(); ++row)
+          readings.push_back(read_traction(sector, member.fillet.facet(column, row, 0)));
+    return readings;
+  }
+
+  /** A body that grows evenly under pressure from all sides: 3 lambda + 2 mu times the strain. */
+  void check_even_growth(const FemSpace &sector, const std::vector<PointReading> &tractions)
+  {
+    constexpr double growth   = 1e-3;
+    const Material  &material = sector.material(0);
+    const double     pressure = growth * (3. * material.lambda() + 2. * material.mu());
+    double           largest  = 0.;
+    for (const PointReading &reading : tractions)
+      {
+        double traction = 0.;
+        for (const auto &[point, weight] : reading)
+          traction += growth * weight.dot(sector.points()[point]);
+        largest = largest_of(largest, std::abs(traction / pressure - 1.));
+      }
+    check_below("traction of even growth, relative error", largest, 1e-9);
+  }
+
   /** The pressure on the elements' faces as forces at points of a quadrature. */
   void add_pressure(const FemSpace             &sector,
                     const ToothSubmodel        &submodel,
@@ -74,8 +103,11 @@ int main(int argc, char **argv)
   quadratic.element  = FemElement::quadratic;
   quadratic.geometry = FemGeometry::curved;
 
-  const FemSpace             sector   = FemSpace::sector_of(fine, 0, quadratic);
-  const auto                 readings = read_fillets(sector, fillets);
+  const FemSpace sector = FemSpace::sector_of(fine, 0, quadratic);
+  const auto strains = read_fillets(sector, fillets), tractions = read_tractions(sector, fillets);
+  check_even_growth(sector, tractions);
+  std::vector<PointReading> readings = strains;
+  readings.insert(readings.end(), tractions.begin(), tractions.end());
   const ToothSubmodel        submodel(sector, followed.bodies[0], readings);
   ToothSubmodel::ToothForces forces;
   add_pressure(sector, submodel, forces);
@@ -86,10 +118,14 @@ int main(int argc, char **argv)
       return Eigen::Map<const Vector3>(u.data() + 3 * node);
     });
   RootStresses found;
-  for (Eigen::Index k = 0; k < values.size(); k += 3)
+  double       left = 0.; // where the tension is largest
+  for (std::size_t k = 0; k < strains.size(); k += 3)
     {
       const PrincipalStresses stress = compute_principal_stresses(
         compute_surface_stress(values.segment<3>(k), fillets.front().fillet.material()));
+      // As many points of each facet.
+      if (stress.first > found.tension)
+        left = values[strains.size() + k * tractions.size() / strains.size()];
       found.tension     = largest_of(found.tension, stress.first);
       found.compression = -largest_of(-found.compression, -stress.third);
     }
@@ -110,6 +146,9 @@ int main(int argc, char **argv)
   const auto         own     = list_fillets(followed.bodies[0]);
   const RootStresses coarse_ = find_largest(own, FilletFaces(trilinear.space(), own).of(u));
   check_below("tension of the followed mesh over the reference", coarse_.tension / 851., .5);
+  check_below("traction left where the tension is largest, over it",
+              std::abs(left) / found.tension,
+              .15);
   check_close("tension, submodel and reference [MPa]", found.tension, 851., .03 * 851.);
   check_close("compression, submodel and reference [MPa]", found.compression, -785., .05 * 785.);
   return 0;

@@ -53,6 +53,11 @@ namespace vfife
     {
       return teeth != RecordedTeeth::none || !gauges.empty();
     }
+    /** Whether these are taken from submodels of the teeth. */
+    bool follows_submodels() const
+    {
+      return records() && source == FilletSource::submodel;
+    }
 
   private:
     void declare_names_of_gauges(dealii::ParameterHandler &prm);

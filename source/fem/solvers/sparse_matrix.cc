@@ -5,7 +5,6 @@
 #include <deal.II/base/partitioner.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace vfife
 {
@@ -91,12 +90,14 @@ namespace vfife
                                         const std::vector<OwnedVector> &y) const
   {
     // Column by column, as Eigen stores them; one reduction for all.
+    using Vector = Eigen::Map<const Eigen::VectorXd>;
     std::vector<double> products;
     for (const OwnedVector &column : y)
       {
         const OwnedVector image = apply(column);
         for (const OwnedVector &row : x)
-          products.push_back(std::inner_product(row.begin(), row.end(), image.begin(), 0.));
+          products.push_back(
+            Vector(row.data(), row.size()).dot(Vector(image.data(), image.size())));
       }
     communicator_->sum(products);
     return Eigen::Map<Eigen::MatrixXd>(products.data(), x.size(), y.size());

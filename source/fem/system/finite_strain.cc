@@ -123,16 +123,23 @@ namespace vfife
       return points;
     }
 
-    /** The 9 x 3n matrix of the displacement gradient's entries. */
-    Eigen::Matrix<double, 9, Eigen::Dynamic>
-    gradient_matrix(const Eigen::Ref<const ElementNodes> &gradients)
+    /** Adds G^T C G: C the derivative of the stress by the displacement gradient, G the 9 x 3n
+     * matrix of that gradient's entries. Its 3 x 3 blocks are multiples of the unit matrix. */
+    template <typename Gradients, typename Tangent>
+    void add_tangent(const Gradients &gradients, const Matrix9 &C, Tangent &tangent)
     {
-      Eigen::Matrix<double, 9, Eigen::Dynamic> G =
-        Eigen::Matrix<double, 9, Eigen::Dynamic>::Zero(9, 3 * gradients.cols());
+      constexpr int               n = Gradients::ColsAtCompileTime == Eigen::Dynamic
+                                        ? Eigen::Dynamic
+                                        : 3 * int(Gradients::ColsAtCompileTime);
+      Eigen::Matrix<double, 9, n> CG(9, 3 * gradients.cols());
+      for (int b = 0; b < gradients.cols(); ++b)
+        CG.template middleCols<3>(3 * b) = gradients(0, b) * C.leftCols<3>() +
+                                           gradients(1, b) * C.middleCols<3>(3) +
+                                           gradients(2, b) * C.rightCols<3>();
       for (int a = 0; a < gradients.cols(); ++a)
-        for (int j = 0; j < 3; ++j)
-          G.block<3, 3>(3 * j, 3 * a).diagonal().setConstant(gradients(j, a));
-      return G;
+        tangent.template middleRows<3>(3 * a) += gradients(0, a) * CG.template topRows<3>() +
+                                                 gradients(1, a) * CG.template middleRows<3>(3) +
+                                                 gradients(2, a) * CG.template bottomRows<3>();
     }
 
     constexpr unsigned int largest_rounds = 20;
@@ -159,9 +166,8 @@ namespace vfife
               const Matrix3 H       = u * point.gradients.leftCols(u.cols()).transpose() +
                                 Eigen::Map<const Matrix3>(alpha.data()) * bubbles.transpose();
               const StrainState state = compute_strain_state(H, material, measure);
-              const auto        G     = gradient_matrix(bubbles);
               force += point.weight * entries(state.stress * bubbles);
-              K.noalias() += point.weight * G.transpose() * (state.tangent * G);
+              add_tangent(bubbles, point.weight * state.tangent, K);
               energy += point.weight * state.energy;
               noise += point.weight * material.mu() * H.squaredNorm() * round_off * round_off;
             }
@@ -218,10 +224,7 @@ namespace vfife
         result.energy += point.weight * state.energy;
         forces += point.weight * state.stress * point.gradients;
         if (with_tangent)
-          {
-            const auto G = gradient_matrix(point.gradients);
-            tangent.noalias() += G.transpose() * (point.weight * state.tangent * G);
-          }
+          add_tangent(point.gradients, point.weight * state.tangent, tangent);
       }
     // Without force on the bubbles, the nodes' forces are the derivative of the energy as they are.
     const int n_nodal = u.size();

@@ -163,8 +163,9 @@ namespace vfife
 
       unsigned int n_pressure_cells() const
       {
-        const bool none = options_.pressure_cells.is_word && !gear_case_.leaves_penalty_open();
-        return none ? 0 : options_.pressure_cells.number;
+        // Nodal forces of coarse flanks change root stresses by up to a fifth.
+        const bool needed = gear_case_.leaves_penalty_open() || fillets_.follows_submodels();
+        return options_.pressure_cells.is_word && !needed ? 0 : options_.pressure_cells.number;
       }
       /** What the contact's own grid changes of the transmission error [rad]; where it was not
        * asked for and is not found, nothing, with a warning. */

@@ -40,7 +40,7 @@ namespace vfife
       "auto",
       "Elements across the width of each contact on the contact's own grid, which gives load "
       "sharing and pressures; 10 to 20 are sufficient; 0: no pressures, load sharing by the "
-      "penalty; auto: 16 with Contact/penalty = auto, 0 with a given penalty",
+      "penalty; auto: 16 with Contact/penalty = auto or Fillets/source = submodel, else 0",
       0,
       64);
     declare_quantity(prm,

@@ -93,10 +93,11 @@ namespace vfife
       faces_ = std::make_unique<FilletFaces>(space, stress_.fillets());
     const FilletStrains strains =
       submodels_ ? follow(space, equilibrium, result, pressures) : faces_->of(result.displacements);
-    add_rows(stress_columns_,
-             position,
-             stress_.measure(position, result.teeth, strains),
-             stresses_);
+    const std::vector<RootStressSample> samples = stress_.measure(position, result.teeth, strains);
+    add_rows(stress_columns_, position, samples, stresses_);
+    for (const RootStressSample &sample : samples)
+      if (RootExtreme &largest = largest_[sample.body]; sample.tension.stress > largest.stress)
+        largest = sample.tension;
     add_rows(gauge_columns_, position, stress_.read_gauges(position, true, strains), gauges_);
   }
 
@@ -116,6 +117,12 @@ namespace vfife
 
   NamedFigures LoadedFillets::list_figures() const
   {
-    return stresses_.n_rows() > 0 ? list_root_figures(stress_) : NamedFigures();
+    if (stresses_.n_rows() == 0)
+      return {};
+    NamedFigures figures = list_root_figures(stress_);
+    if (submodels_)
+      for (const auto &[body, extreme] : largest_)
+        figures.push_back({body + " traction left at the root tension", {extreme.traction, "MPa"}});
+    return figures;
   }
 } // namespace vfife

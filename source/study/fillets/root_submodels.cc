@@ -52,7 +52,15 @@ namespace vfife
             for (PointReading &reading : read_facet(sector, fillet.facet(column, row, 0)))
               readings.push_back(std::move(reading));
         const unsigned int n_points = (readings.size() - first) / (3 * fillet.n_columns() * n_rows);
-        member.fillets.push_back({side, fillet.n_columns(), n_rows, first, n_points});
+        member.fillets.push_back({side,
+                                  fillet.n_columns(),
+                                  n_rows,
+                                  first,
+                                  n_points,
+                                  static_cast<unsigned int>(readings.size())});
+        for (unsigned int column = 0; column < fillet.n_columns(); ++column)
+          for (unsigned int row = Fillet::first_row; row < fillet.end_row(); ++row)
+            readings.push_back(read_traction(sector, fillet.facet(column, row, 0)));
         for (unsigned int column = 0; gauges && column <= fillet.n_columns(); ++column)
           for (unsigned int row = 0; row <= fillet.n_rows(); ++row)
             {
@@ -65,6 +73,14 @@ namespace vfife
       }
     member.submodel = std::make_unique<const ToothSubmodel>(sector, followed, readings);
     return member;
+  }
+
+  const RootSubmodels::FirstReadings &RootSubmodels::readings_of(const MemberFillet &member) const
+  {
+    const std::vector<FirstReadings> &fillets = members_[member.body].fillets;
+    return *std::find_if(fillets.begin(), fillets.end(), [&member](const FirstReadings &one) {
+      return one.side == member.fillet.side();
+    });
   }
 
   FilletStrains RootSubmodels::of(std::array<MemberState, 2> states) const
@@ -90,17 +106,21 @@ namespace vfife
                                  const unsigned int  column,
                                  const unsigned int  row,
                                  const unsigned int  tooth) {
-      const Eigen::VectorXd &values  = read(member.body, tooth);
-      const auto            &fillets = members_[member.body].fillets;
-      const FirstReadings   &fillet =
-        *std::find_if(fillets.begin(), fillets.end(), [&member](const FirstReadings &one) {
-          return one.side == member.fillet.side();
-        });
-      const unsigned int facet = column * fillet.n_rows + row - Fillet::first_row;
-      WorstStrain        worst(member.fillet.material());
+      const Eigen::VectorXd &values = read(member.body, tooth);
+      const FirstReadings   &fillet = readings_of(member);
+      const unsigned int     facet  = column * fillet.n_rows + row - Fillet::first_row;
+      WorstStrain            worst(member.fillet.material());
       for (unsigned int i = 0; i < fillet.n_points; ++i)
         worst.add(values.segment<3>(fillet.facets + 3 * (facet * fillet.n_points + i)));
       return worst.strain();
+    };
+    strains.traction = [this, read](const MemberFillet &member,
+                                    const unsigned int  column,
+                                    const unsigned int  row,
+                                    const unsigned int  tooth) {
+      const FirstReadings &fillet = readings_of(member);
+      return read(member.body,
+                  tooth)[fillet.tractions + column * fillet.n_rows + row - Fillet::first_row];
     };
     strains.gauge = [this, read](const MemberGauge &gauge, const unsigned int tooth) {
       const Eigen::VectorXd &values    = read(gauge.body, tooth);
@@ -126,7 +146,7 @@ namespace vfife
                                                            const Model         &model,
                                                            Log                 &log)
   {
-    if (!options.records() || options.source != FilletSource::submodel)
+    if (!options.follows_submodels())
       return nullptr;
     const auto           start = WallClock::now();
     std::optional<Model> fine  = pair_case.make_submodel_mesh(options.submodel_elements);

@@ -44,6 +44,9 @@ namespace vfife
       facet;
     /** Of the copy of a gauge on a tooth. */
     std::function<double(const MemberGauge &, unsigned tooth)> gauge;
+    /** Traction along the normal that is left on a facet [MPa]; empty where it is not known. */
+    std::function<double(const MemberFillet &, unsigned column, unsigned row, unsigned tooth)>
+      traction = nullptr;
   };
 
   /** From vectors at nodes of the model's bodies (body, node), in the axes of the body frame:
@@ -58,8 +61,9 @@ namespace vfife
   /** The largest of one kind of stress in a tooth's fillet. */
   struct RootExtreme
   {
-    double  stress = 0;               ///< [MPa]
-    Vector2 place  = Vector2::Zero(); ///< along the face, up the profile [mm]
+    double  stress   = 0;               ///< [MPa]
+    Vector2 place    = Vector2::Zero(); ///< along the face, up the profile [mm]
+    double  traction = 0; ///< that is left there along the normal, where it is known [MPa]
   };
 
   /** The fillet of one tooth at one instant or position. */

@@ -7,7 +7,9 @@
 #include <vfife/study/fillets/fillet_faces.h>
 #include <vfife/study/fillets/root_submodels.h>
 
+#include <map>
 #include <memory>
+#include <string>
 
 namespace vfife
 {
@@ -57,6 +59,7 @@ namespace vfife
     RootStress                           stress_;
     std::unique_ptr<FilletFaces>         faces_; ///< of the space of the first position
     Table                                stresses_, gauges_;
+    std::map<std::string, RootExtreme>   largest_; ///< root tension by body
   };
 } // namespace vfife
 

@@ -13,6 +13,11 @@ namespace vfife
    * fillet's facet of tooth 0. */
   std::vector<PointReading> read_facet(const FemSpace                    &sector,
                                        const std::array<unsigned int, 4> &facet);
+
+  /** The traction along the outward normal that finite elements leave on a fillet's facet of tooth
+   * 0, mean of the points of read_facet() [MPa]. The surface is free of it. The sector has
+   * quadratic elements that are not divided. */
+  PointReading read_traction(const FemSpace &sector, const std::array<unsigned int, 4> &facet);
 } // namespace vfife
 
 #endif

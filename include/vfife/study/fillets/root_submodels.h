@@ -63,6 +63,7 @@ namespace vfife
       unsigned int n_columns, n_rows; ///< of facets between root land and flank
       unsigned int facets;            ///< n_points strains of each, column by column
       unsigned int n_points;
+      unsigned int tractions; ///< one of each facet
     };
     struct Member
     {
@@ -71,7 +72,8 @@ namespace vfife
       std::unique_ptr<const ToothSubmodel> submodel;
     };
 
-    Member make_member(unsigned int body, const Body &followed, bool gauges) const;
+    const FirstReadings &readings_of(const MemberFillet &member) const;
+    Member               make_member(unsigned int body, const Body &followed, bool gauges) const;
 
     Model                 fine_;
     std::array<Member, 2> members_;
