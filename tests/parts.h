@@ -6,21 +6,23 @@
 
 #include <initializer_list>
 
-/** The parts of a test that run with MPI, one after the other: what main() does. They are handed
- * the ranks, const or not. */
+/** The parts of a test that run with MPI, one after the other: what main() does and returns. They
+ * are handed the ranks, const or not. */
 template <typename World>
-void run_parts(int argc, char **argv, const std::initializer_list<void (*)(World &)> parts)
+int run_parts(int argc, char **argv, const std::initializer_list<void (*)(World &)> parts)
 {
   vfife::MpiSession session(argc, argv);
   for (const auto part : parts)
     part(session.world());
+  return 0;
 }
 
-inline void run_parts(int argc, char **argv, const std::initializer_list<void (*)()> parts)
+inline int run_parts(int argc, char **argv, const std::initializer_list<void (*)()> parts)
 {
   const vfife::MpiSession session(argc, argv);
   for (const auto part : parts)
     part();
+  return 0;
 }
 
 #endif

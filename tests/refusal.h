@@ -7,9 +7,31 @@
 #include <iostream>
 #include <string>
 
-/** What a user reads where @p act is refused; empty where it is accepted. */
-template <typename Act>
+/** What a user reads where @p act is refused by that exception; empty where it is accepted. */
+template <typename Error = vfife::InputError, typename Act>
 std::string message_of(const Act &act)
+{
+  try
+    {
+      act();
+    }
+  catch (const Error &error)
+    {
+      return error.what();
+    }
+  return "";
+}
+
+/** Whether @p act is refused by that exception. */
+template <typename Error = vfife::InputError, typename Act>
+bool refuses(const Act &act)
+{
+  return !message_of<Error>(act).empty();
+}
+
+/** "entry: message" of a refusal. */
+template <typename Act>
+std::string entry_and_message_of(const Act &act)
 {
   try
     {
@@ -17,17 +39,28 @@ std::string message_of(const Act &act)
     }
   catch (const vfife::InputError &error)
     {
-      return error.what();
+      return error.entry() + ": " + error.what();
     }
   return "";
 }
 
-/** Prints that message: the .output file has it. */
-template <typename Act>
+inline void print_message(const std::string &message)
+{
+  std::cout << (message.empty() ? "FAILED: accepted" : message) << std::endl;
+}
+
+/** Prints the message of a refusal: the .output file has it. */
+template <typename Error = vfife::InputError, typename Act>
 void print_refusal(const Act &act)
 {
-  const std::string message = message_of(act);
-  std::cout << (message.empty() ? "FAILED: accepted" : message) << std::endl;
+  print_message(message_of<Error>(act));
+}
+
+/** The same with the entry before it. */
+template <typename Act>
+void print_refused_entry(const Act &act)
+{
+  print_message(entry_and_message_of(act));
 }
 
 #endif

@@ -2,10 +2,13 @@
 #ifndef vfife_tests_tests_h
 #define vfife_tests_tests_h
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <iostream>
+#include <numeric>
 #include <string>
+#include <vector>
 
 /** Folder of the sources of this program's tests. */
 std::string source_folder();
@@ -54,6 +57,11 @@ inline void check_close(const std::string &name,
             << tolerance << std::endl;
 }
 
+inline bool has_text(const std::string &text, const std::string &part)
+{
+  return text.find(part) != std::string::npos;
+}
+
 /** The larger of two numbers, and NaN once there was one: std::max() drops it, and a largest error
  * collected so would be "ok". */
 template <typename Number>
@@ -68,6 +76,41 @@ inline double largest_of(const std::initializer_list<double> numbers)
   for (const double number : numbers)
     largest = largest_of(largest, number);
   return largest;
+}
+
+/** The largest magnitude of some numbers. */
+template <typename Numbers>
+double largest_size(const Numbers &numbers)
+{
+  double largest = 0;
+  for (const double number : numbers)
+    largest = largest_of(largest, std::abs(number));
+  return largest;
+}
+
+inline double sum_of(const std::vector<double> &numbers)
+{
+  return std::accumulate(numbers.begin(), numbers.end(), 0.);
+}
+
+inline double mean_of(const std::vector<double> &numbers)
+{
+  return sum_of(numbers) / numbers.size();
+}
+
+/** The largest difference between the numbers of two lists; infinite where their lengths differ. */
+inline double largest_difference(const std::vector<double> &a, const std::vector<double> &b)
+{
+  double largest = a.size() == b.size() ? 0. : HUGE_VAL;
+  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i)
+    largest = largest_of(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+/** The same over the largest magnitude of the numbers in @p a. */
+inline double relative_difference(const std::vector<double> &a, const std::vector<double> &b)
+{
+  return largest_difference(a, b) / std::max(largest_size(a), 1e-300);
 }
 
 /** The measured number must be below the bound (and a number). */

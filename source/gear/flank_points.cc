@@ -2,8 +2,6 @@
 #include <vfife/base/errors.h>
 #include <vfife/gear/flank_points.h>
 
-#include <cmath>
-
 namespace vfife
 {
   Table

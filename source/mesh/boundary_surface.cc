@@ -11,14 +11,7 @@ namespace vfife
   namespace
   {
     using FaceNodes = std::array<unsigned int, 4>;
-    using FaceTest  = std::function<
-      bool(dealii::types::boundary_id, const FaceNodes &, const std::array<Vector3, 4> &)>;
-
-    /** Twice the area vector of a quadrilateral. */
-    Vector3 area_vector(const std::array<Vector3, 4> &x)
-    {
-      return (x[2] - x[0]).cross(x[3] - x[1]);
-    }
+    using FaceTest  = std::function<bool(dealii::types::boundary_id, const FaceNodes &)>;
 
     /** Facets of the boundary faces that pass the test, numbered as first met; a node's normal is
      * the sum of its facets' area vectors, normalised. */
@@ -44,7 +37,7 @@ namespace vfife
                 nodes[v]           = cell->vertex_index(outward_faces[f][v]);
                 x[v]               = Vector3(corner[0], corner[1], corner[2]);
               }
-            if (!takes(cell->face(f)->boundary_id(), nodes, x))
+            if (!takes(cell->face(f)->boundary_id(), nodes))
               continue;
 
             // the same as places among the surface's nodes; new ones are added
@@ -59,7 +52,7 @@ namespace vfife
                     surface.normals.push_back(Vector3::Zero());
                   }
                 facet[v] = found.first->second;
-                surface.normals[facet[v]] += area_vector(x);
+                surface.normals[facet[v]] += (x[2] - x[0]).cross(x[3] - x[1]); // twice the area
               }
             surface.facets.push_back(facet);
           }
@@ -76,28 +69,12 @@ namespace vfife
     }
   } // namespace
 
-  FacetSurface surface_of_boundary(const dealii::Triangulation<3> &triangulation,
-                                   const std::string              &name,
-                                   const BoundaryFaceSelection    &select)
-  {
-    return collect_facets(triangulation,
-                          name,
-                          [&select](dealii::types::boundary_id,
-                                    const FaceNodes &,
-                                    const std::array<Vector3, 4> &x) {
-                            const Vector3 centre = (x[0] + x[1] + x[2] + x[3]) / 4.;
-                            return select(centre, area_vector(x).normalized());
-                          });
-  }
-
   FacetSurface surface_of_boundary(const dealii::Triangulation<3>  &triangulation,
                                    const std::string               &name,
                                    const std::vector<unsigned int> &nodes)
   {
     return collect_facets(
-      triangulation,
-      name,
-      [&nodes](dealii::types::boundary_id, const FaceNodes &face, const std::array<Vector3, 4> &) {
+      triangulation, name, [&nodes](dealii::types::boundary_id, const FaceNodes &face) {
         return std::all_of(face.begin(), face.end(), [&nodes](const unsigned int i) {
           return std::binary_search(nodes.begin(), nodes.end(), i);
         });
@@ -110,9 +87,7 @@ namespace vfife
   {
     return collect_facets(triangulation,
                           name,
-                          [&faces](dealii::types::boundary_id,
-                                   FaceNodes face,
-                                   const std::array<Vector3, 4> &) {
+                          [&faces](dealii::types::boundary_id, FaceNodes face) {
                             std::sort(face.begin(), face.end());
                             return faces.count(face) != 0;
                           });
@@ -124,9 +99,9 @@ namespace vfife
   {
     return collect_facets(triangulation,
                           name,
-                          [boundary](const dealii::types::boundary_id id,
-                                     const FaceNodes &,
-                                     const std::array<Vector3, 4> &) { return id == boundary; });
+                          [boundary](const dealii::types::boundary_id id, const FaceNodes &) {
+                            return id == boundary;
+                          });
   }
 
   void add_named_side(BodyMesh                                &mesh,

@@ -5,8 +5,6 @@
 
 #include <Eigen/LU>
 
-#include <cmath>
-
 namespace vfife
 {
   SolidIntegrals &SolidIntegrals::operator+=(const SolidIntegrals &other)

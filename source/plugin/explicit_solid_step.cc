@@ -128,10 +128,12 @@ namespace vfife
                  dt_,
                  damping,
                  UpdateAxis(),
-                 operator_.partition().owned.data(),
-                 force_.data(),
-                 position_.data(),
-                 velocity_field_.data());
+                 {operator_.partition().owned.data(),
+                  force_.data(),
+                  position_.data(),
+                  velocity_field_.data(),
+                  position_.data(),
+                  velocity_field_.data()});
     knows_forces_ = false;
     old_velocity_.swap(velocity_);
     for (std::size_t i = 0; i < entries_.size(); ++i)

@@ -6,7 +6,6 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/fem/cyclic/cyclic_harmonic.h>
-#include <vfife/model/body_frame.h>
 #include <vfife/reduced/body_reduction.h>
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 #include <vfife/bearing/mean_motion.h>
 #include <vfife/fem/system/fem_space.h>
 #include <vfife/mesh/body_mesh.h>
-#include <vfife/model/body_frame.h>
 #include <vfife/model/load_shares.h>
 #include <vfife/model/model.h>
 #include <vfife/reduced/body_rings.h>

@@ -2,7 +2,6 @@
 #include "reduced_pair_parts.h"
 
 #include <vfife/base/errors.h>
-#include <vfife/model/body_frame.h>
 #include <vfife/model/state.h>
 #include <vfife/reduced/pair_readings.h>
 

@@ -3,11 +3,9 @@
 #include <vfife/mesh/boundary_surface.h>
 #include <vfife/mesh/node_set_names.h>
 #include <vfife/model/body.h>
-#include <vfife/model/body_frame.h>
 #include <vfife/stress/fillet.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace vfife
 {

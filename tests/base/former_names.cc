@@ -2,12 +2,10 @@
 // Names of entries and words of the previous version: read as those of today where they were, left
 // alone elsewhere, refused beside the present name.
 
-#include <vfife/base/errors.h>
 #include <vfife/base/parameters/former_names.h>
 
+#include "../refusal.h"
 #include "../tests.h"
-
-#include <algorithm>
 
 using namespace vfife;
 
@@ -45,14 +43,7 @@ int main()
        "  end\n end\nend\n"
        "subsection Dynamics\n set start = ramp\n set element type = full integration\nend\n");
 
-  try
-    {
-      show("subsection Dynamics\n set time step factor = 0.8\n set safety = 0.9\nend\n");
-      check("both names are refused", false);
-    }
-  catch (const InputError &error)
-    {
-      std::cout << error.what() << std::endl;
-    }
+  print_refusal(
+    [] { show("subsection Dynamics\n set time step factor = 0.8\n set safety = 0.9\nend\n"); });
   return 0;
 }

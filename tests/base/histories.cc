@@ -168,14 +168,7 @@ namespace
     prm.set("history", "sqrt(1e-3 - t)");
     history.check("Model/Load pull");
     check_close("history: as long as it has a value", history.value(0.), std::sqrt(1e-3), 1e-18);
-    try
-      {
-        history.value(2e-3);
-      }
-    catch (const InputError &error)
-      {
-        std::cout << error.entry() << ": " << error.what() << std::endl;
-      }
+    print_refused_entry([&] { history.value(2e-3); });
   }
 
   void refusals()

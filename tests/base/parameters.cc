@@ -75,15 +75,7 @@ void refuse(const std::string &text, const std::vector<std::string> &overrides =
   Options                  options;
   dealii::ParameterHandler prm;
   options.declare(prm);
-  try
-    {
-      ParameterFile("case.prm", overrides).read(prm);
-      std::cout << "FAILED: accepted " << text << std::endl;
-    }
-  catch (const InputError &error)
-    {
-      std::cout << error.what() << std::endl;
-    }
+  print_refusal([&] { ParameterFile("case.prm", overrides).read(prm); });
 }
 
 const std::string good_file = "# a comment\n"
@@ -174,14 +166,7 @@ void check_first_pass()
   }
   ParameterFile("case.prm", {"Body a/length=3"}).read_known(prm);
   check("first pass", bodies == std::vector<std::string>({"a"}));
-  try
-    {
-      ParameterFile("case.prm", {"Study/bodies=a,a"}).read_known(prm);
-    }
-  catch (const InputError &error)
-    {
-      std::cout << error.what() << std::endl;
-    }
+  print_refusal([&] { ParameterFile("case.prm", {"Study/bodies=a,a"}).read_known(prm); });
 
   // defaults are kept to the last bit, and setting the default's text restores it
   Options                  options;

@@ -2,13 +2,13 @@
 // Numbers with units: every unit's factor against its definition, the messages for wrong units,
 // texts of defaults.
 
-#include <vfife/base/errors.h>
 #include <vfife/base/text/figure_text.h>
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/base/text/number_text.h>
 #include <vfife/base/text/quantity.h>
 #include <vfife/base/types.h>
 
+#include "../refusal.h"
 #include "../tests.h"
 
 #include <cmath>
@@ -25,15 +25,8 @@ void check_value(const std::string &text, const std::string &unit, const double 
 
 void refuse(const std::string &text, const std::string &unit)
 {
-  try
-    {
-      parse_quantity(text, unit);
-      std::cout << text << ": FAILED, accepted" << std::endl;
-    }
-  catch (const InputError &error)
-    {
-      std::cout << "<" << text << "> " << error.what() << std::endl;
-    }
+  std::cout << "<" << text << "> ";
+  print_refusal([&] { parse_quantity(text, unit); });
 }
 
 void check_values()

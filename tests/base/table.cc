@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Tables as CSV and JSON, texts of CSV files, the log, the timers, and the neighbours of facets.
 
-#include <vfife/base/errors.h>
 #include <vfife/base/facet_surface.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
@@ -48,16 +47,11 @@ void check_table()
           json["rows"][1][1] == "coast, \"back\"" && json["rows"][2][2].is_null());
   check("numbers of a column", table.numbers("time") == std::vector<double>({0., 1e-7, 2.}));
 
-  bool refused = false;
-  try
-    {
-      table.add_row({1, 2, 3});
-    }
-  catch (const std::logic_error &)
-    {
-      refused = table.n_rows() == 3;
-    }
-  check("a number is refused as text", refused);
+  check("a number is refused as text",
+        refuses<std::logic_error>([&] {
+          table.add_row({1, 2, 3});
+        }) &&
+          table.n_rows() == 3);
 }
 void check_csv_text()
 {

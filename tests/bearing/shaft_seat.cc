@@ -6,7 +6,6 @@
 #include <vfife/bearing/shaft_seat.h>
 
 #include <cmath>
-#include <functional>
 
 using namespace vfife;
 

@@ -124,9 +124,7 @@ namespace
                 sum.energy += shared.results()[0].energy;
                 sum.area += shared.results()[0].area;
               }
-            double largest = 0.;
-            for (const double f : slave_forces)
-              largest = largest_of(largest, std::abs(f));
+            const double largest = largest_size(slave_forces);
             for (unsigned int i = 0; i < slave_forces.size(); ++i)
               error = largest_of(error, std::abs(slave.forces[i] - slave_forces[i]) / largest);
             for (unsigned int i = 0; i < master_forces.size(); ++i)

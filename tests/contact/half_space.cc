@@ -9,7 +9,6 @@
 
 #include <cmath>
 #include <functional>
-#include <iomanip>
 
 using namespace vfife;
 

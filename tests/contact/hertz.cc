@@ -7,7 +7,6 @@
 
 #include <vfife/contact/law/hertz.h>
 
-#include <cstdlib>
 #include <iomanip>
 
 using namespace test_surfaces;

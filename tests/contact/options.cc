@@ -1,11 +1,10 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // The contact's options: defaults, words and units of the parameter file, refusals.
+#include "../read_entries.h"
+#include "../refusal.h"
 #include "../tests.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/contact/law/contact_options.h>
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
 #include <functional>
@@ -18,15 +17,7 @@ namespace
   {
     ContactOptions options;
     spoil(options);
-    try
-      {
-        options.check("Contact");
-      }
-    catch (const InputError &error)
-      {
-        return error.entry() == entry;
-      }
-    return false;
+    return entry_and_message_of([&] { options.check("Contact"); }).find(entry + ": ") == 0;
   }
   MakeFrictionLaw find_friction_law(const std::string &name)
   {
@@ -72,15 +63,14 @@ namespace
 
 int main()
 {
-  ContactOptions           options;
-  dealii::ParameterHandler prm;
-  options.declare(prm);
-  prm.parse_input_from_string("set discretization = two pass\n"
-                              "set surface = flat facets\n"
-                              "set points per facet = 4\n"
-                              "set penalty = 4e6\n"
-                              "set friction coefficient = 0.08\n"
-                              "set search tolerance = 50 um\n");
+  ContactOptions options;
+  read_entries(options,
+               "set discretization = two pass\n"
+               "set surface = flat facets\n"
+               "set points per facet = 4\n"
+               "set penalty = 4e6\n"
+               "set friction coefficient = 0.08\n"
+               "set search tolerance = 50 um\n");
   check("discretization", options.discretization == ContactDiscretization::two_pass);
   check("surface", options.surface == ContactSurfaceKind::flat_facets);
   check("points per facet", options.points_per_facet.number == 4);

@@ -55,10 +55,9 @@ int main()
           const auto        lags = unloaded_lags(pair, analysis, slave, master, kind);
           const std::string what = std::string(density.name) + " mesh, " + name;
           check(what + ": the flanks touch everywhere", lags.size() == exact.size());
-          double difference = 0.;
-          for (std::size_t i = 0; i < lags.size(); ++i)
-            difference = largest_of(difference, std::abs(lags[i] - exact[i]));
-          check_below(what + ": difference from the generated flanks [arcsec]", difference, bound);
+          check_below(what + ": difference from the generated flanks [arcsec]",
+                      largest_difference(lags, exact),
+                      bound);
         }
     }
   return 0;

@@ -278,6 +278,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {tumble, free_bar, cantilever});
-  return 0;
+  return run_parts(argc, argv, {tumble, free_bar, cantilever});
 }

@@ -163,6 +163,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {drivers, mesh_damping, torque});
-  return 0;
+  return run_parts(argc, argv, {drivers, mesh_damping, torque});
 }

@@ -1,10 +1,10 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // A slave whose facets are ten times and more as wide as those of its master: the step bears the
 // points that fall on the master's small nodes, and a relaxation finds its equilibrium.
+#include "../parts.h"
 #include "../tests.h"
 #include "relaxed.h"
 
-#include <vfife/base/process/mpi_session.h>
 #include <vfife/mesh/body_mesh.h>
 
 using namespace vfife;
@@ -108,9 +108,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  MpiSession session(argc, argv);
-  landing();
-  matching();
-  relaxing();
-  return 0;
+  return run_parts(argc, argv, {landing, matching, relaxing});
 }

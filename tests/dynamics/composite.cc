@@ -164,9 +164,8 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(
+  return run_parts(
     argc,
     argv,
     {&classes, &heated_bar, &bimetal_strip, &shrink_fit, &bar_heated_at_once, &wave_across_joint});
-  return 0;
 }

@@ -120,6 +120,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {all});
-  return 0;
+  return run_parts(argc, argv, {all});
 }

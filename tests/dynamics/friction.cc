@@ -3,9 +3,9 @@
 // limit of friction it sticks and moves by its traction over the tangential stiffness, beyond it
 // slides with the acceleration that is left. In time, and at rest by relaxation.
 #include "../model/model_text.h"
+#include "../parts.h"
 #include "relaxed.h"
 
-#include <vfife/base/process/mpi_session.h>
 #include <vfife/mesh/body_mesh.h>
 
 #include <sstream>
@@ -265,8 +265,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  MpiSession session(argc, argv);
-  in_time();
-  at_rest();
-  return 0;
+  return run_parts(argc, argv, {in_time, at_rest});
 }

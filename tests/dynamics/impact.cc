@@ -179,6 +179,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {hit_explicitly, hit_implicitly});
-  return 0;
+  return run_parts(argc, argv, {hit_explicitly, hit_implicitly});
 }

@@ -366,8 +366,7 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc,
-            argv,
-            {torque, torque_on_axis, loads, pressure, springs, springs_side_by_side, wall});
-  return 0;
+  return run_parts(argc,
+                   argv,
+                   {torque, torque_on_axis, loads, pressure, springs, springs_side_by_side, wall});
 }

@@ -67,6 +67,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {measure});
-  return 0;
+  return run_parts(argc, argv, {measure});
 }

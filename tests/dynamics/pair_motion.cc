@@ -234,6 +234,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {both_hubs, drive_work, momenta});
-  return 0;
+  return run_parts(argc, argv, {both_hubs, drive_work, momenta});
 }

@@ -293,6 +293,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {fall_explicitly, fall_implicitly, fall_both_ways, crowded_spheres});
-  return 0;
+  return run_parts(argc, argv, {fall_explicitly, fall_implicitly, fall_both_ways, crowded_spheres});
 }

@@ -92,6 +92,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {chords, ring_keeps_its_radius});
-  return 0;
+  return run_parts(argc, argv, {chords, ring_keeps_its_radius});
 }

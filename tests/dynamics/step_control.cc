@@ -1,12 +1,12 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // The step: bound of the assembly against the exact largest frequency of a small assembly, and
 // selective mass scaling.
+#include "../parts.h"
 #include "../refusal.h"
 #include "../tests.h"
 #include "one_solver.h"
 
 #include <vfife/base/errors.h>
-#include <vfife/base/process/mpi_session.h>
 #include <vfife/dynamics/operator/mass_scaling.h>
 #include <vfife/dynamics/operator/step_bound.h>
 #include <vfife/element/stable_step.h>
@@ -96,16 +96,9 @@ namespace
             OneSolver trial(shaken, options);
             trial.solver.set_step(factor * 2 / exact);
             trial.solver.start(trial.state);
-            Observers none;
-            bool      failed = false;
-            try
-              {
-                trial.solver.run(trial.state, 3000 * factor * 2 / exact, none);
-              }
-            catch (const NumericalError &)
-              {
-                failed = true;
-              }
+            Observers  none;
+            const bool failed = refuses<NumericalError>(
+              [&] { trial.solver.run(trial.state, 3000 * factor * 2 / exact, none); });
             check(name + (factor < 1 ? "just below the limit: stable" : "beyond it: given up"),
                   failed == (factor > 1));
           }
@@ -144,23 +137,16 @@ namespace
         OneSolver run(model, options);
         run.solver.set_step(factor * step);
         run.solver.start(run.state);
-        double start = 0, largest = 0;
-        auto   observers = watch(1, [&](const State &state) {
+        double     start = 0, largest = 0;
+        auto       observers = watch(1, [&](const State &state) {
           double square = 0;
           for (unsigned int i = 0; i < cube.n_nodes(); ++i)
             square += state.node_velocity(i).squaredNorm();
           start   = state.step == 0 ? std::sqrt(square) : start;
           largest = largest_of(largest, std::sqrt(square));
         });
-        bool   given_up  = false;
-        try
-          {
-            run.solver.run(run.state, 400 * factor * step, observers);
-          }
-        catch (const NumericalError &)
-          {
-            given_up = true;
-          }
+        const bool given_up  = refuses<NumericalError>(
+          [&] { run.solver.run(run.state, 400 * factor * step, observers); });
         if (factor < 1)
           check("springs: stable just below their step",
                 !given_up && largest < 2 * start / std::sqrt(1 - factor * factor));
@@ -215,9 +201,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  MpiSession session(argc, argv);
-  bound_of_assembly();
-  springs();
-  mass_scaling();
-  return 0;
+  return run_parts(argc, argv, {bound_of_assembly, springs, mass_scaling});
 }

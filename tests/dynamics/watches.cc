@@ -3,6 +3,7 @@
 // of them, written and read again: the same.
 #include "../made_state.h"
 #include "../parts.h"
+#include "../refusal.h"
 #include "../tests.h"
 
 #include <vfife/base/errors.h>
@@ -320,14 +321,7 @@ namespace
 
     void check(const double limit)
     {
-      try
-        {
-          book.check(limit, "then", log);
-        }
-      catch (const NumericalError &error)
-        {
-          failure += error.what();
-        }
+      failure += message_of<NumericalError>([&] { book.check(limit, "then", log); });
     }
 
     unsigned int warned_before = 0;
@@ -535,14 +529,13 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc,
-            argv,
-            {ledger_of_turning_ring,
-             ledger_of_changing_rates,
-             energy_of_approach,
-             lasting_errors,
-             books_go_on,
-             losses_of_contact,
-             damping_audit});
-  return 0;
+  return run_parts(argc,
+                   argv,
+                   {ledger_of_turning_ring,
+                    ledger_of_changing_rates,
+                    energy_of_approach,
+                    lasting_errors,
+                    books_go_on,
+                    losses_of_contact,
+                    damping_audit});
 }

@@ -2,10 +2,10 @@
 // Kernels of an instruction set (generic, or the one that is named) against the dense Eigen
 // reference; empty lanes; choice of the set.
 #include "../instruction_sets.h"
+#include "../refusal.h"
 #include "../tests.h"
 #include "samples.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/element/frame.h>
 #include <vfife/element/internal_force.h>
 
@@ -153,15 +153,7 @@ namespace
   bool choice_refused(const char *word)
   {
     setenv("VFIFE_INSTRUCTION_SET", word, 1);
-    bool refused = false;
-    try
-      {
-        best_instruction_set();
-      }
-    catch (const InputError &)
-      {
-        refused = true;
-      }
+    const bool refused = refuses([] { best_instruction_set(); });
     unsetenv("VFIFE_INSTRUCTION_SET");
     return refused;
   }

@@ -18,15 +18,15 @@ namespace
   void traits(const Communicator &communicator, const std::size_t n_rows, const SparseMatrix &K)
   {
     const auto out    = Teuchos::rcp(new Anasazi::BasicOutputManager<double>(Anasazi::Warnings));
-    const auto x      = Teuchos::rcp(new Columns(communicator, n_rows, 3));
+    const auto x      = Teuchos::rcp(new vfife::Columns(communicator, n_rows, 3));
     const auto matrix = Teuchos::rcpFromRef<const ColumnOperator>(K);
-    check("Anasazi's test of vectors", Anasazi::TestMultiVecTraits<double, Columns>(out, x));
+    check("Anasazi's test of vectors", Anasazi::TestMultiVecTraits<double, vfife::Columns>(out, x));
     check("Anasazi's test of operators",
-          Anasazi::TestOperatorTraits<double, Columns, ColumnOperator>(out, x, matrix));
+          Anasazi::TestOperatorTraits<double, vfife::Columns, ColumnOperator>(out, x, matrix));
 
     // Vectors that are not one behind the other, one of them twice.
-    Anasazi::MultiVecTraits<double, Columns>::MvRandom(*x);
-    Columns         view = x->view({2, 0, 2});
+    Anasazi::MultiVecTraits<double, vfife::Columns>::MvRandom(*x);
+    vfife::Columns  view = x->view({2, 0, 2});
     Eigen::MatrixXd copy;
     check("a view has the vectors named, in their order",
           view.matrix(copy).col(0) == (*x)[2] && view.matrix(copy).col(1) == (*x)[0]);
@@ -35,17 +35,6 @@ namespace
           some.row(0) == some.row(2) && (some.row(0) - all.row(2)).norm() < 1e-14 * all.norm());
     view[1] *= 2.;
     check("a view shares the memory", std::abs(x->dot(*x)[0] - 4 * all(0, 0)) < 1e-13 * all(0, 0));
-  }
-
-  double distance(const std::vector<double> &a, const std::vector<double> &b)
-  {
-    double largest = 0, size = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-      {
-        largest = largest_of(largest, std::abs(a[i] - b[i]));
-        size    = largest_of(size, std::abs(a[i]));
-      }
-    return largest / size;
   }
 } // namespace
 
@@ -82,7 +71,11 @@ int main(int argc, char **argv)
         traits(world, q.size(), K);
     }
   // Round-off of sums of some hundred terms.
-  check_below("product against forces of elements", distance(images[0], images[1]), 1e-13);
-  check_below("product on all ranks against one rank", distance(images[1], images[2]), 1e-14);
+  check_below("product against forces of elements",
+              relative_difference(images[0], images[1]),
+              1e-13);
+  check_below("product on all ranks against one rank",
+              relative_difference(images[1], images[2]),
+              1e-14);
   return 0;
 }

@@ -324,6 +324,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {derivatives, waves, elements, wheel, free_turn});
-  return 0;
+  return run_parts(argc, argv, {derivatives, waves, elements, wheel, free_turn});
 }

@@ -2,10 +2,10 @@
 // What is said of made-up vibrations of a ring of 12 sectors: waves, their sense, their shares in
 // the kinetic energy. All sums over 12 sectors are closed forms: cos^2 and sin^2 of h alpha have
 // the mean 1/2, products of unlike waves have none.
+#include "../parts.h"
 #include "../tests.h"
 
 #include <vfife/base/complex.h>
-#include <vfife/base/process/mpi_session.h>
 #include <vfife/fem/modes/mode_description.h>
 #include <vfife/mesh/primitives/primitives.h>
 
@@ -169,10 +169,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  const MpiSession session(argc, argv);
-  waves();
-  directions();
-  circles();
-  no_sectors();
-  return 0;
+  return run_parts(argc, argv, {waves, directions, circles, no_sectors});
 }

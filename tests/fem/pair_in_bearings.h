@@ -10,7 +10,6 @@
 #include <vfife/fem/fem_options.h>
 #include <vfife/fem/pair/pair_equilibrium.h>
 
-#include <fstream>
 #include <memory>
 #include <vector>
 

@@ -11,8 +11,6 @@
 
 #include <Eigen/Dense>
 
-#include <algorithm>
-
 using namespace vfife;
 
 namespace
@@ -465,9 +463,8 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(
+  return run_parts(
     argc,
     argv,
     {rigid_bodies, housing, spinning_bodies, moments, stiff_limit, unlike_axes, turned_circles});
-  return 0;
 }

@@ -1,13 +1,12 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Entries of a pair that its files hardly ever set: pitch and spiral angles, settings for both
 // flanks, modified roll and tilted cutter, the data of a proposal; what follows from each.
+#include "../read_entries.h"
 #include "../tests.h"
 #include "paper_pair.h"
 
 #include <vfife/base/errors.h>
 #include <vfife/gear/unloaded_contact/contact_analysis.h>
-
-#include <deal.II/base/parameter_handler.h>
 
 using namespace vfife;
 
@@ -15,9 +14,7 @@ namespace
 {
   GearPairOptions read(GearPairOptions options, const std::string &text)
   {
-    dealii::ParameterHandler prm;
-    options.declare(prm);
-    prm.parse_input_from_string(text);
+    read_entries(options, text);
     return options;
   }
 
@@ -197,10 +194,8 @@ end
     // As the section Tooth contact analysis says: the coast side works when the gear drives
     // forward.
     const auto read_analysis = [](const std::string &text) {
-      ContactAnalysisOptions   options;
-      dealii::ParameterHandler prm;
-      options.declare(prm);
-      prm.parse_input_from_string(text);
+      ContactAnalysisOptions options;
+      read_entries(options, text);
       return options;
     };
     const auto side = [&](const std::string &text) { return read_analysis(text).working_side(); };

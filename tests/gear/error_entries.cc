@@ -1,12 +1,12 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Entries of errors of manufacture: pitch deviations from lists, tables and cosines, grids in both
 // formats, and what is said of input that cannot be used.
+#include "../read_entries.h"
+#include "../refusal.h"
 #include "../tests.h"
 #include "paper_pair.h"
 
 #include <vfife/base/errors.h>
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <fstream>
 
@@ -20,9 +20,7 @@ namespace
   {
     static FlankErrorOptions options; // entries are bound to its address
     options = {};
-    dealii::ParameterHandler prm;
-    options.declare(prm);
-    prm.parse_input_from_string(text);
+    read_entries(options, text);
     return options;
   }
 
@@ -35,15 +33,8 @@ namespace
   template <typename Read>
   void refuse(const std::string &name, const Read &reads)
   {
-    try
-      {
-        reads();
-        std::cout << name << ": FAILED, not refused" << std::endl;
-      }
-    catch (const InputError &error)
-      {
-        std::cout << name << ": " << error.entry() << ": " << error.what() << std::endl;
-      }
+    std::cout << name << ": ";
+    print_refused_entry(reads);
   }
 
   void check_pitch(const std::string         &name,

@@ -1,11 +1,10 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Reading a pair from parameters, and what is said about missing and contradictory entries.
+#include "../read_entries.h"
 #include "../tests.h"
 #include "paper_pair.h"
 
 #include <vfife/base/errors.h>
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <functional>
 
@@ -30,7 +29,7 @@ void expect(const std::string                            &name,
       message = error.entry() + ": " + error.what();
       found   = error.entry() == "Gear pair/" + entry;
       for (const std::string &word : words)
-        found = found && std::string(error.what()).find(word) != std::string::npos;
+        found = found && has_text(std::string(error.what()), word);
     }
   check(name + (found ? "" : " (" + message + ")"), found);
 }
@@ -202,30 +201,29 @@ void check_causes()
 void check_reading()
 {
   // what the file says arrives, with units
-  GearPairOptions          options = paper::options();
-  dealii::ParameterHandler prm;
-  options.declare(prm);
-  prm.parse_input_from_string("subsection Pinion\n"
-                              "  subsection Blank\n"
-                              "    set number of teeth = 29\n"
-                              "    set hand of spiral = left\n"
-                              "    set face angle = 20.5 deg\n"
-                              "  end\n"
-                              "  subsection Concave flank\n"
-                              "    set ratio of roll = 3.1\n"
-                              "  end\n"
-                              "end\n"
-                              "subsection Gear\n"
-                              "  set cutter diameter = 152.4\n"
-                              "  subsection Convex flank\n"
-                              "    set point radius = 0.0943 m\n"
-                              "  end\n"
-                              "end\n"
-                              "subsection Mounting\n"
-                              "  set backlash = 150 um\n"
-                              "  set gear axial shift = -100 um\n"
-                              "  set shaft angle error = 0.5\n"
-                              "end\n");
+  GearPairOptions options = paper::options();
+  read_entries(options,
+               "subsection Pinion\n"
+               "  subsection Blank\n"
+               "    set number of teeth = 29\n"
+               "    set hand of spiral = left\n"
+               "    set face angle = 20.5 deg\n"
+               "  end\n"
+               "  subsection Concave flank\n"
+               "    set ratio of roll = 3.1\n"
+               "  end\n"
+               "end\n"
+               "subsection Gear\n"
+               "  set cutter diameter = 152.4\n"
+               "  subsection Convex flank\n"
+               "    set point radius = 0.0943 m\n"
+               "  end\n"
+               "end\n"
+               "subsection Mounting\n"
+               "  set backlash = 150 um\n"
+               "  set gear axial shift = -100 um\n"
+               "  set shaft angle error = 0.5\n"
+               "end\n");
   GearPairOptions other = paper::options();
   other.gear.blank.hand = Hand::automatic;
   check("the gear's hand follows from the pinion's",
@@ -250,19 +248,18 @@ void check_both_flanks()
   shared.gear.concave         = MachineSettings(Blade::outside);
   shared.gear.convex          = MachineSettings(Blade::inside);
   const auto parse            = [&](GearPairOptions &target, const std::string &more) {
-    dealii::ParameterHandler prm;
-    target.declare(prm);
-    prm.parse_input_from_string("subsection Gear\n"
-                                           "  subsection Both flanks\n"
-                                           "    set point width = 1.98 mm\n"
-                                           "    set blade angle = 20 deg\n"
-                                           "    set blade edge radius = 0.8 mm\n"
-                                           "    set radial distance = 107.42 mm\n"
-                                           "    set cradle angle = 50.16 deg\n"
-                                           "    set sliding base = -0.5 mm\n"
-                                           "    set machine root angle = 69.44 deg\n"
-                                           "  end\n" +
-                                more + "end\n");
+    read_entries(target,
+                 "subsection Gear\n"
+                            "  subsection Both flanks\n"
+                            "    set point width = 1.98 mm\n"
+                            "    set blade angle = 20 deg\n"
+                            "    set blade edge radius = 0.8 mm\n"
+                            "    set radial distance = 107.42 mm\n"
+                            "    set cradle angle = 50.16 deg\n"
+                            "    set sliding base = -0.5 mm\n"
+                            "    set machine root angle = 69.44 deg\n"
+                            "  end\n" +
+                   more + "end\n");
   };
   parse(shared, "");
   const GearPairOptions completed = shared.completed();

@@ -24,14 +24,6 @@ namespace
     return points;
   }
 
-  double largest(const std::vector<double> &values)
-  {
-    double most = 0.;
-    for (const double value : values)
-      most = largest_of(most, std::abs(value));
-    return most;
-  }
-
   template <typename Reads>
   void refuse(const std::string &name, const Reads &reads)
   {
@@ -134,8 +126,8 @@ namespace
       "radial distance", "blade angle", "sliding base", "blank offset", "ratio of roll"};
     const SettingsFitResult found =
       SettingsFit(pair.pinion(), side, some, false, 1e-8, points_of(grid)).solve();
-    check("changed settings: the flank was far away", largest(found.before) > 50. * um);
-    check_below("changed settings: the flank [um]", largest(found.after) / um, 1e-3);
+    check("changed settings: the flank was far away", largest_size(found.before) > 50. * um);
+    check_below("changed settings: the flank [um]", largest_size(found.after) / um, 1e-3);
     const MachineSettings is  = other.pinion().generated_flank(side).settings();
     const MachineSettings was = pair.pinion().generated_flank(side).settings();
     for (const FittedSetting &setting : fitted_settings())
@@ -150,7 +142,7 @@ namespace
       all.push_back(setting.name);
     const SettingsFitResult every =
       SettingsFit(pair.pinion(), side, all, true, 1e-5, points_of(grid)).solve();
-    check_below("all settings: the flank [um]", largest(every.after) / um, 1.);
+    check_below("all settings: the flank [um]", largest_size(every.after) / um, 1.);
     check("all settings: some cannot be told", every.directions < all.size() + 1);
 
     // Limits of the changes: the blank offset, which is 0.06 mm off, stops at its limit, and what
@@ -166,8 +158,8 @@ namespace
           limited.at_limit == std::vector<std::string>{"blank offset"} &&
             limited.unfinished.empty());
     check("limited changes: better than before, not as good as without limits",
-          largest(limited.after) < largest(limited.before) &&
-            largest(limited.after) > largest(found.after));
+          largest_size(limited.after) < largest_size(limited.before) &&
+            largest_size(limited.after) > largest_size(found.after));
 
     // A turn alone: the gear's flank with pitch deviation F at its mean radius.
     GearPairOptions options                    = paper::options();

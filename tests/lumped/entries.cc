@@ -1,8 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Section Lumped: what its entries make of the model and of the run.
+#include "../refusal.h"
 #include "../tests.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/lumped/lumped_options.h>
@@ -115,15 +115,7 @@ namespace
                 model.swing_rate() / std::sqrt(2e9 / inertia),
                 1.,
                 1e-12);
-    try
-      {
-        Read("set pinion = free\n").pair();
-        check("refused", false);
-      }
-    catch (const InputError &error)
-      {
-        std::cout << error.entry() << ": " << error.what() << std::endl;
-      }
+    print_refused_entry([] { Read("set pinion = free\n").pair(); });
   }
 
   void supports()

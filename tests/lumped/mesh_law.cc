@@ -1,8 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // The law of the mesh: from a loaded contact analysis, its energy, its inverse; series.
+#include "../refusal.h"
 #include "../tests.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/base/types.h>
 #include <vfife/lumped/mesh_law.h>
 
@@ -81,14 +81,7 @@ int main()
                   -law.torque(1e-4, .2),
                   1e-6);
     }
-  try
-    {
-      MeshLaw::from_table(loaded_contact(.3), "table", LoadLaw::power);
-      check("unequal positions are refused", false);
-    }
-  catch (const InputError &)
-    {
-      check("unequal positions are refused", true);
-    }
+  check("unequal positions are refused",
+        refuses([] { MeshLaw::from_table(loaded_contact(.3), "table", LoadLaw::power); }));
   return 0;
 }

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Entries of gear bodies and meshes that files hardly ever set: fillets of the web, bore and hub,
 // element size, refinements; what each makes of the mesh.
+#include "../read_entries.h"
 #include "../tests.h"
 
 #include "paper_members.h"
@@ -10,8 +11,6 @@
 #include <vfife/mesh/mesh_quality.h>
 #include <vfife/mesh/node_set_names.h>
 
-#include <deal.II/base/parameter_handler.h>
-
 using namespace vfife;
 
 namespace
@@ -19,10 +18,7 @@ namespace
   GearBodyOptions
   read(GearBodyOptions options, const std::string &body, const std::string &mesh = "")
   {
-    dealii::ParameterHandler prm;
-    options.declare(prm);
-    prm.parse_input_from_string("subsection Body\n" + body + "end\nsubsection Mesh\n" + mesh +
-                                "end\n");
+    read_entries(options, "subsection Body\n" + body + "end\nsubsection Mesh\n" + mesh + "end\n");
     return options;
   }
 

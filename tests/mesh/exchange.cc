@@ -2,6 +2,7 @@
 // Export and import of meshes: what is written reads back with the same volume, sets and surfaces;
 // a mesh of another program; files that cannot be used.
 
+#include "../refusal.h"
 #include "../tests.h"
 
 #include "paper_members.h"
@@ -107,15 +108,7 @@ namespace
   /** The message's last part names the file; nothing but InputError may come. */
   std::string message_of(const std::string &path)
   {
-    try
-      {
-        read_body(path);
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return "";
+    return ::message_of([&] { read_body(path); });
   }
 
   void check_pinion()
@@ -263,11 +256,9 @@ namespace
     write("assembly.vtu", {exported(*block), exported(*ring, {10., 0., 0.})});
     std::ifstream     in("assembly.vtu");
     const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-    check("vtu: counts",
-          text.find("NumberOfPoints=\"56\" NumberOfCells=\"68\"") != std::string::npos);
+    check("vtu: counts", has_text(text, "NumberOfPoints=\"56\" NumberOfCells=\"68\""));
     check("vtu: named arrays",
-          text.find("Name=\"surface ring inner\"") != std::string::npos &&
-            text.find("Name=\"set block y+\"") != std::string::npos);
+          has_text(text, "Name=\"surface ring inner\"") && has_text(text, "Name=\"set block y+\""));
     check_vtu(text);
 
     for (const std::string end : {"vtk", "ucd"})
@@ -318,7 +309,7 @@ namespace
   {
     const auto says = [](const std::string &path, const std::string &words) {
       const std::string message = message_of(path);
-      return message.find(path) != std::string::npos && message.find(words) != std::string::npos &&
+      return has_text(message, path) && has_text(message, words) &&
              message.find('\n') == std::string::npos;
     };
     const auto put = [](const std::string &path, const std::string &text) {
@@ -403,17 +394,9 @@ namespace
     pinion->triangulation.execute_coarsening_and_refinement();
     for (const char *path : {"hanging.inp", "hanging.msh", "hanging.vtu"})
       {
-        std::string message;
-        try
-          {
-            write(path, {exported(*pinion)});
-          }
-        catch (const InputError &error)
-          {
-            message = error.what();
-          }
+        const std::string message = ::message_of([&] { write(path, {exported(*pinion)}); });
         check(std::string("refuses to export hanging nodes: ") + path,
-              message.find("hanging nodes") != std::string::npos);
+              has_text(message, "hanging nodes"));
       }
   }
 } // namespace

@@ -2,19 +2,18 @@
 // Gear bodies: numbering, exact copies, closed boundary, node sets, volumes against integrals over
 // the gear itself, refusals.
 
+#include "../read_entries.h"
+#include "../refusal.h"
 #include "../tests.h"
 
 #include "paper_members.h"
 #include "sector_copies.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/mesh/gear/conical_web.h>
 #include <vfife/mesh/gear/gear_body.h>
 #include <vfife/mesh/gear/gear_section.h>
 #include <vfife/mesh/mesh_quality.h>
 #include <vfife/mesh/node_set_names.h>
-
-#include <deal.II/base/parameter_handler.h>
 
 using namespace vfife;
 
@@ -191,15 +190,9 @@ namespace
   {
     GearBodyOptions options = coarse(GearBodyOptions());
     change(options);
-    try
-      {
-        options.check("Gear pair/Gear", member.blank());
-      }
-    catch (const InputError &error)
-      {
-        return error.entry().find("Gear pair/Gear/") == 0;
-      }
-    return false;
+    return entry_and_message_of([&] {
+             options.check("Gear pair/Gear", member.blank());
+           }).find("Gear pair/Gear/") == 0;
   }
 
   void check_refusals(const GearMember &gear)
@@ -244,13 +237,11 @@ namespace
 
   void check_declaration(const GearMember &gear)
   {
-    GearBodyOptions          options;
-    dealii::ParameterHandler prm;
-    options.declare(prm);
-    prm.parse_input_from_string(
-      "subsection Body\n set web thickness = 3.5 mm\n set web inclination = 55\n"
-      "set web direction = towards apex\nend\n"
-      "subsection Mesh\n set elements along profile = 4\nend\n");
+    GearBodyOptions options;
+    read_entries(options,
+                 "subsection Body\n set web thickness = 3.5 mm\n set web inclination = 55\n"
+                 "set web direction = towards apex\nend\n"
+                 "subsection Mesh\n set elements along profile = 4\nend\n");
     check("options are read",
           options.web_thickness == 3.5 && std::abs(options.web_angle - 55. * pi / 180.) < 1e-15 &&
             options.web_direction == WebDirection::apex && options.flank_rows == 4 &&

@@ -1,17 +1,16 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Entries of shafts of gear bodies: size of the cells, levels asked for, what is refused.
 
+#include "../read_entries.h"
+#include "../refusal.h"
 #include "../tests.h"
 
 #include "paper_members.h"
 #include "sector_copies.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/mesh/gear/gear_body.h>
 #include <vfife/mesh/gear/gear_shaft_builder.h>
 #include <vfife/mesh/node_set_names.h>
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <iostream>
 #include <set>
@@ -27,11 +26,9 @@ namespace
     check("no shaft by default",
           !options.shaft.present() &&
             make_gear_body(pinion, options)->node_sets.count(node_set::shaft) == 0);
-    dealii::ParameterHandler prm;
-    options.declare(prm);
-    prm.parse_input_from_string(
-      "subsection Shaft\n set sections = 80 200 40 20\n"
-      "set axial element size = 0.004 m\n set radial element size = 2.5\nend\n");
+    read_entries(options,
+                 "subsection Shaft\n set sections = 80 200 40 20\n"
+                 "set axial element size = 0.004 m\n set radial element size = 2.5\nend\n");
     options.shaft.levels  = {85.25, 150.125};
     const auto       mesh = make_gear_body(pinion, options);
     std::set<double> heights, radii;
@@ -65,16 +62,11 @@ namespace
   {
     options.shaft.text   = text;
     options.shaft.levels = levels;
-    try
-      {
-        options.check("Gear pair/Pinion", gear.blank());
-        check_gear_shaft("Gear pair/Pinion/Shaft", gear, options);
-        check(what + " is refused", false);
-      }
-    catch (const InputError &error)
-      {
-        std::cout << what << ": " << error.entry() << ": " << error.what() << std::endl;
-      }
+    std::cout << what << ": ";
+    print_refused_entry([&] {
+      options.check("Gear pair/Pinion", gear.blank());
+      check_gear_shaft("Gear pair/Pinion/Shaft", gear, options);
+    });
   }
 
   void check_refusals(const GearGeometry &gear, const GearGeometry &pinion)

@@ -5,7 +5,6 @@
 #include "../tests.h"
 #include "paper_members.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/gear/spiral_bevel/gear_pair_options.h>
 #include <vfife/mesh/gear/gear_body_options.h>
 
@@ -75,17 +74,12 @@ namespace
     asked.proposal.module       = module;
     const GearPairOptions pair  = asked.completed();
     GearBodyOptions       body;
-    body.web_angle = angle * pi / 180;
-    try
-      {
-        open(pinion_body_defaults(), pair.pinion.blank).check("pinion", pair.pinion.blank);
-        open(body, pair.gear.blank).check("gear", pair.gear.blank);
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return "fits";
+    body.web_angle            = angle * pi / 180;
+    const std::string message = message_of([&] {
+      open(pinion_body_defaults(), pair.pinion.blank).check("pinion", pair.pinion.blank);
+      open(body, pair.gear.blank).check("gear", pair.gear.blank);
+    });
+    return message.empty() ? "fits" : message;
   }
 
   void proposed_pairs()

@@ -1,15 +1,18 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Block, ring and cylinder: numbers of cells, volumes against closed forms, named sides, refusals.
 
+#include "../read_entries.h"
+#include "../refusal.h"
 #include "../tests.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/mesh/boundary_surface.h>
 #include <vfife/mesh/mesh_quality.h>
 #include <vfife/mesh/primitives/primitive_options.h>
 #include <vfife/mesh/primitives/primitives.h>
 
 #include <deal.II/base/parameter_handler.h>
+
+#include <numeric>
 
 using namespace vfife;
 
@@ -39,20 +42,6 @@ namespace
       for (const unsigned int neighbour : sides)
         n += neighbour == FacetSurface::no_facet ? 1 : 0;
     return n;
-  }
-
-  template <typename Function>
-  bool refuses(const Function &function)
-  {
-    try
-      {
-        function();
-      }
-    catch (const InputError &)
-      {
-        return true;
-      }
-    return false;
   }
 
   void check_block()
@@ -87,16 +76,10 @@ namespace
     check("block sides: nodes", nodes_right);
     check("block side: open border", open_sides(block->surfaces.at("z+")) == 10);
 
-    const auto whole = surface_of_boundary(block->triangulation,
-                                           "all",
-                                           [](const Vector3 &, const Vector3 &) { return true; });
+    std::vector<unsigned int> all(block->triangulation.n_vertices());
+    std::iota(all.begin(), all.end(), 0u);
+    const auto whole = surface_of_boundary(block->triangulation, "all", all);
     check("block boundary is closed", whole.facets.size() == 52 && open_sides(whole) == 0);
-    const auto upper = surface_of_boundary(block->triangulation,
-                                           "upper",
-                                           [](const Vector3 &centre, const Vector3 &normal) {
-                                             return normal[2] > .5 && centre[0] < 1.;
-                                           });
-    check("faces by position and normal", upper.facets.size() == 3);
   }
 
   void check_ring()
@@ -203,10 +186,8 @@ namespace
               mesh->name == shape &&
                 compute_mesh_quality(mesh->triangulation).least_scaled_jacobian > .5);
       }
-    PrimitiveOptions         ring("ring");
-    dealii::ParameterHandler prm;
-    ring.declare(prm);
-    prm.parse_input_from_string("set inner radius = 0.021 m\nset elements around = 12");
+    PrimitiveOptions ring("ring");
+    read_entries(ring, "set inner radius = 0.021 m\nset elements around = 12");
     check("entries are read", std::abs(ring.sizes[0] - 21.) < round_off && ring.counts[1] == 12);
     check("refuses an unknown shape", refuses([] { PrimitiveOptions("spher"); }));
     check("refuses an odd core by entry", refuses([] {

@@ -171,17 +171,11 @@ namespace
     for (const char *side : {surface_name::concave, surface_name::convex})
       {
         const auto &before = coarse_mesh->surfaces.at(side), &after = mesh->surfaces.at(side);
-        const auto  largest = [](const FacetSurface &surface) {
-          double value = 0.;
-          for (const double offset : surface.offsets)
-            value = largest_of(value, std::abs(offset));
-          return value;
-        };
         check(name + side + " facets",
               after.facets.size() == 4 * before.facets.size() &&
                 after.nodes.size() == mesh->node_sets.at(side).size());
         check_close(name + side + " offsets fall with second order",
-                    largest(after) / largest(before),
+                    largest_size(after.offsets) / largest_size(before.offsets),
                     .25,
                     .03);
       }

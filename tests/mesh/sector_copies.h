@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
+#include <vector>
 
 inline vfife::Vector3 vertex(const vfife::BodyMesh &mesh, const unsigned int i)
 {
@@ -60,11 +62,10 @@ inline void check_copies(const vfife::BodyMesh &mesh)
  * Returns the number of faces. */
 inline std::size_t check_closed(const vfife::BodyMesh &mesh)
 {
-  const auto surface =
-    vfife::surface_of_boundary(mesh.triangulation,
-                               "all",
-                               [](const vfife::Vector3 &, const vfife::Vector3 &) { return true; });
-  bool closed = true;
+  std::vector<unsigned int> all(mesh.triangulation.n_vertices());
+  std::iota(all.begin(), all.end(), 0u);
+  const auto surface = vfife::surface_of_boundary(mesh.triangulation, "all", all);
+  bool       closed  = true;
   for (const auto &sides : surface.neighbours)
     for (const unsigned int neighbour : sides)
       closed = closed && neighbour != vfife::FacetSurface::no_facet;

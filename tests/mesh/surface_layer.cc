@@ -14,7 +14,6 @@
 #include <vfife/mesh/solid_integrals.h>
 
 #include <algorithm>
-#include <numeric>
 
 using namespace vfife;
 

@@ -21,11 +21,6 @@ namespace
 {
   constexpr double density = 7.85e-9;
 
-  double sum(const std::vector<double> &values)
-  {
-    return std::accumulate(values.begin(), values.end(), 0.);
-  }
-
   /** Of a cross-section of n cells of h: the trapezoidal rule of x^2 about the middle, over the
    * length. */
   double lumped_square(const double length, const unsigned int n)
@@ -40,7 +35,7 @@ namespace
     const double mass = density * 4 * 6 * 9;
     check("block: nodes and elements", body.n_nodes() == 3 * 4 * 10 && body.n_elements() == 54);
     check_close("block: mass", body.mass() / mass, 1., 1e-13);
-    check_close("block: sum of nodal masses", sum(body.node_masses()) / mass, 1., 1e-13);
+    check_close("block: sum of nodal masses", sum_of(body.node_masses()) / mass, 1., 1e-13);
     const auto ends = std::minmax_element(body.node_masses().begin(), body.node_masses().end());
     check_close("block: corner over element", *ends.first / (density * 4), 1. / 8, 1e-14);
     check_close("block: inner node over element", *ends.second / (density * 4), 1., 1e-14);
@@ -65,7 +60,7 @@ namespace
     body.add_masses(more);
     check_close("added mass", body.added_mass() / mass, .3, 1e-14);
     check_close("mass with it", body.mass() / mass, 1.3, 1e-13);
-    check_close("sum of nodal masses with it", sum(body.node_masses()) / mass, 1.3, 1e-13);
+    check_close("sum of nodal masses with it", sum_of(body.node_masses()) / mass, 1.3, 1e-13);
 
     for (unsigned int source = 0; source < 2; ++source)
       body.add_initial_strains(std::vector<double>(body.n_elements(), 1e-3));
@@ -92,7 +87,7 @@ namespace
     const double chord = 2 * outer * std::sin(half);
     const auto  &nodes = body.node_set("outer");
     const auto   of    = compute_nodal_areas(body, nodes);
-    check_close("ring: area outside", sum(of) / (around * chord * height), 1., 1e-12);
+    check_close("ring: area outside", sum_of(of) / (around * chord * height), 1., 1e-12);
     bool right = true;
     for (std::size_t i = 0; i < nodes.size(); ++i)
       {
@@ -102,14 +97,17 @@ namespace
       }
     check("ring: area of each node outside", right);
     check_close("ring: area above",
-                sum(compute_nodal_areas(body, body.node_set("top"))) / (volume / height),
+                sum_of(compute_nodal_areas(body, body.node_set("top"))) / (volume / height),
                 1.,
                 1e-12);
     std::vector<unsigned int> all(body.n_nodes());
     std::iota(all.begin(), all.end(), 0U);
     const double whole =
       2 * volume / height + around * 2 * (outer + inner) * std::sin(half) * height;
-    check_close("ring: all of its surface", sum(compute_nodal_areas(body, all)) / whole, 1., 1e-12);
+    check_close("ring: all of its surface",
+                sum_of(compute_nodal_areas(body, all)) / whole,
+                1.,
+                1e-12);
 
     // Faces count only where all four nodes are in the set.
     std::vector<unsigned int> lower;
@@ -117,7 +115,7 @@ namespace
       if (body.node_positions()[node][2] < .5 * height)
         lower.push_back(node);
     check_close("ring: area of the rows of nodes below the middle",
-                sum(compute_nodal_areas(body, lower)) / (around * chord * height / 3),
+                sum_of(compute_nodal_areas(body, lower)) / (around * chord * height / 3),
                 1.,
                 1e-12);
     const auto line = compute_nodal_areas(body, {nodes[0], nodes[1]});

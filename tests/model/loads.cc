@@ -19,11 +19,6 @@ using namespace vfife;
 
 namespace
 {
-  double sum(const std::vector<double> &values)
-  {
-    return std::accumulate(values.begin(), values.end(), 0.);
-  }
-
   void refuse(const Load &load, const Body &body)
   {
     print_refusal([&] { compute_load_shares(load, body); });
@@ -47,7 +42,7 @@ namespace
         load.kind         = kind;
         const auto shares = compute_load_shares(load, body);
         const auto ends   = std::minmax_element(shares.begin(), shares.end());
-        check_close("end face: sum of the shares", sum(shares), 1., 1e-14);
+        check_close("end face: sum of the shares", sum_of(shares), 1., 1e-14);
         check_close("end face: corner", *ends.first, 1. / (4 * 3 * 6), 1e-15);
         check_close("end face: inner node", *ends.second, 1. / (3 * 6), 1e-15);
       }
@@ -75,7 +70,7 @@ namespace
       selection.sets   = sets;
       selection.where  = where;
       const auto nodes = selection.find_nodes(body, "Load");
-      return sum(compute_nodal_areas(body, nodes, selection.find_faces(body, nodes, "Load")));
+      return sum_of(compute_nodal_areas(body, nodes, selection.find_faces(body, nodes, "Load")));
     };
     check_close("both skins", area({"z-", "z+"}, ""), 48., 1e-13);
     check_close("the faces of them on whose nodes a condition holds",

@@ -1,9 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Constraints that share a node: rank and span of what they hold, the displacement that meets all
 // of them, shares of a force; what contradicts itself.
+#include "../refusal.h"
 #include "../tests.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/mesh/primitives/primitives.h>
 #include <vfife/model/constraints/node_constraints.h>
 
@@ -78,15 +78,7 @@ namespace
     all.add(radius);
     check("three directions: held altogether", all.n_held() == 3 && all.independent().size() == 3);
     check("four equations: values are to be compared", all.has_values_to_compare());
-    try
-      {
-        all.compute_displacement(full);
-        check("refused", false);
-      }
-    catch (const InputError &error)
-      {
-        std::cout << error.entry() << ": " << error.what() << std::endl;
-      }
+    print_refused_entry([&] { all.compute_displacement(full); });
     // What agrees: a radius that follows from x, y, z.
     const Constraint agreeing = lead("agreeing",
                                      true,
@@ -130,15 +122,7 @@ namespace
                 std::abs(node.axes().col(2).dot(body.axis.direction)),
                 1.,
                 1e-14);
-    try
-      {
-        node.add(grown);
-        check("refused", false);
-      }
-    catch (const InputError &error)
-      {
-        std::cout << error.entry() << ": " << error.what() << std::endl;
-      }
+    print_refused_entry([&] { node.add(grown); });
   }
 
   void refuse(const Body &body, const std::vector<Constraint> &constraints)
@@ -146,15 +130,7 @@ namespace
     NodeConstraints node(body, body.placement(Vector3(20., 0., 0.)));
     for (const Constraint &constraint : constraints)
       node.add(constraint);
-    try
-      {
-        node.check();
-        check("refused", false);
-      }
-    catch (const InputError &error)
-      {
-        std::cout << error.what() << std::endl;
-      }
+    print_refusal([&] { node.check(); });
   }
 
   void kinds()

@@ -5,6 +5,7 @@
 // build/release/tests/output/columns.release/columns.release --list > doc/columns.json
 #include "../gear/paper_pair.h"
 #include "../lumped/pair.h"
+#include "../read_files.h"
 #include "../tests.h"
 
 #include <vfife/base/process/communicator.h>
@@ -452,10 +453,8 @@ int main(int argc, char **argv)
       std::filesystem::remove_all(folder.path());
       return 0;
     }
-  std::ifstream     file(tree_folder() + "/doc/columns.json");
-  std::stringstream page;
-  page << file.rdbuf();
-  const std::string difference = find_difference(page.str(), written);
+  const std::string difference =
+    find_difference(read_text(tree_folder() + "/doc/columns.json"), written);
   if (!difference.empty())
     std::cerr << difference << std::endl;
   check("doc/columns.json is what is written", difference.empty());

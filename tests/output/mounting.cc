@@ -4,6 +4,7 @@
 #include "../gear/paper_pair.h"
 #include "../made_state.h"
 #include "../parts.h"
+#include "../refusal.h"
 #include "../tests.h"
 
 #include <vfife/base/errors.h>
@@ -47,16 +48,8 @@ namespace
       return find_mounting(member(pair.pinion_placement(0.3)), member(pair.gear_placement(-1.)));
     };
     check_mounting("", mounting(mounted) - mounting(designed), with_errors());
-    bool refused = false;
-    try
-      {
-        find_mounting(MountedMember(), MountedMember());
-      }
-    catch (const NumericalError &)
-      {
-        refused = true;
-      }
-    check("parallel axes are refused", refused);
+    check("parallel axes are refused",
+          refuses<NumericalError>([] { find_mounting(MountedMember(), MountedMember()); }));
   }
 
   /** Rings on shafts that stand where the pair's members do, moved to where the errors put them and
@@ -107,6 +100,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {placements, bores});
-  return 0;
+  return run_parts(argc, argv, {placements, bores});
 }

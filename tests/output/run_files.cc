@@ -1,9 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // The text files of a run: folder, histories, log, summary.
+#include "../read_files.h"
 #include "../refusal.h"
 #include "../tests.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
@@ -35,14 +35,6 @@ using namespace vfife;
 namespace
 {
   const std::string folder_name = "run_files_results";
-
-  std::string read(const std::string &path)
-  {
-    std::ifstream     file(path);
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
-  }
 
   Model make_pair_model()
   {
@@ -122,8 +114,8 @@ namespace
                           state); // as the solver does with the last state: no row off the grid
         observer->finish(model, state);
       }
-    std::cout << read(folder.file("history.csv")) << read(folder.file("teeth.csv"))
-              << read(folder.file("probes.csv"));
+    std::cout << read_text(folder.file("history.csv")) << read_text(folder.file("teeth.csv"))
+              << read_text(folder.file("probes.csv"));
     check("history stays in memory",
           history.table().n_rows() == 1 && history.table().numbers("dte")[0] < -35.4);
 
@@ -135,19 +127,11 @@ namespace
   void check_folder(const Communicator &communicator, const OutputFolder &folder)
   {
     folder.write_file("a file", [](std::ostream &out) { out << "text"; });
-    check("file in place", read(folder.file("a file")) == "text");
+    check("file in place", read_text(folder.file("a file")) == "text");
     check("no temporary file is left", !std::filesystem::exists(folder.file("a file.part")));
     for (const std::string &path :
          {folder.file("a file"), folder.file("a file") + "/below", std::string()})
-      try
-        {
-          OutputFolder refused(path, communicator);
-          check("refused", false);
-        }
-      catch (const std::exception &error)
-        {
-          std::cout << error.what() << std::endl;
-        }
+      print_refusal<std::exception>([&] { OutputFolder(path, communicator); });
   }
 
   void check_parameters(OutputFolder &folder)
@@ -163,14 +147,14 @@ namespace
     prm.leave_subsection();
     folder.write_parameters(prm, "case.prm");
 
-    const auto json = nlohmann::ordered_json::parse(read(folder.file("parameters.json")));
+    const auto json = nlohmann::ordered_json::parse(read_text(folder.file("parameters.json")));
     check("parameters by path", json.size() == 3 && json.items().begin().key() == "remark");
     check("value, unit and default",
           json["Operation/speed"].dump() == R"({"value":"20000 rpm","unit":"rpm","default":"0"})");
     check("a number without dimension", json["Operation/factor"]["unit"] == "-");
     check("a text has no unit", json["remark"]["value"] == remark && json["remark"]["unit"] == "");
     check("the same parameters, readable again",
-          read(folder.file("parameters.prm")).find("20000 rpm") != std::string::npos &&
+          has_text(read_text(folder.file("parameters.prm")), "20000 rpm") &&
             folder.parameters().size() == 3);
     check("the file they are from", folder.parameter_file() == "case.prm");
   }
@@ -200,19 +184,18 @@ namespace
       progress.finish(model, state);
     }
     log.line("after");
-    const std::string text = read(folder_name + "/run.log");
+    const std::string text = read_text(folder_name + "/run.log");
     check("log has the lines of the folder's life",
-          text.rfind("before\nduring\n", 0) == 0 && text.find("after") == std::string::npos);
-    check("progress in the log",
-          text.find(" 25 %  0.250 ms  mesh 2.2  step 40") != std::string::npos);
+          text.rfind("before\nduring\n", 0) == 0 && !has_text(text, "after"));
+    check("progress in the log", has_text(text, " 25 %  0.250 ms  mesh 2.2  step 40"));
     const std::size_t last = text.find("100 %  1.000 ms");
     check("one line of the end, without time left",
           last != std::string::npos && text.find("100 %", last + 1) == std::string::npos &&
             text.find("left", last) == std::string::npos);
     check("expected time of the whole run and of its part",
-          text.find(" ms (mean of the first 200); ") != std::string::npos &&
-            text.find("the whole run of 640 steps takes about ") != std::string::npos &&
-            text.find("this part of 160 steps takes about ") != std::string::npos);
+          has_text(text, " ms (mean of the first 200); ") &&
+            has_text(text, "the whole run of 640 steps takes about ") &&
+            has_text(text, "this part of 160 steps takes about "));
     check("quiet screen", screen.str().empty());
     std::cout << duration_text(41.2) << ", " << duration_text(125) << ", "
               << duration_text(3 * 3600 + 12 * 60) << ", "
@@ -263,7 +246,7 @@ namespace
     summary.steady = part;
     write_summary(folder, summary);
 
-    const auto json = nlohmann::ordered_json::parse(read(folder.file("summary.json")));
+    const auto json = nlohmann::ordered_json::parse(read_text(folder.file("summary.json")));
     check("status", json["status"] == "finished" && !json.contains("failure"));
     check("mesh", json["mesh"]["cells"] == 4000 && json["mesh"]["bodies"][1]["nodes"] == 4000);
     check_close("mass [kg]", json["mesh"]["bodies"][0]["mass"]["value"], 1, 1e-12);
@@ -300,9 +283,10 @@ namespace
       check("a folder is made for its lock", fs::exists(made + "/vfife.lock"));
       check("in use", is_in_use(folder_name + "/./a/b"));
       check("once more in the same process",
-            message_of([&] {
-              FolderLock(folder_name + "/a/../a/b", "two.prm", communicator, log);
-            }).find("is in use (process ") != std::string::npos);
+            has_text(message_of([&] {
+                       FolderLock(folder_name + "/a/../a/b", "two.prm", communicator, log);
+                     }),
+                     "is in use (process "));
     }
     check("not in use any more", !is_in_use(made));
     check("folders without results are removed", !fs::exists(folder_name + "/a"));

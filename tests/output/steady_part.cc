@@ -182,8 +182,7 @@ namespace
     const SteadyPart brief = find_steady_part(make_history(3, 20, flat, constant_dte), 20, 13, 0);
     check("shorter than two periods: none", !brief.found && brief.cycles == 1);
     check("shorter than a period: said so",
-          brief.explain().find("less than one period (13 mesh cycles) of the torsional mode") !=
-            std::string::npos);
+          has_text(brief.explain(), "less than one period (13 mesh cycles) of the torsional mode"));
 
     // A period of 13 meshes in a record of 20: the swing shows in the means of the cycles.
     const auto swinging = [](const double size) {
@@ -197,7 +196,7 @@ namespace
           calm.found && calm.by_cycles && calm.cycles == 20);
     check("between one and two periods: a large one is not", !loud.found && loud.by_cycles);
     check("between one and two periods: said so",
-          loud.explain().find("fewer than two periods (13 mesh cycles each)") != std::string::npos);
+          has_text(loud.explain(), "fewer than two periods (13 mesh cycles each)"));
     // Means over a cycle are sin(pi/13)/(pi/13) of the swing in its middle; one cycle has its
     // middle in the trough, the best two at pi/13 from the crest. The trapezoidal rule with 40
     // samples adds (pi/260)^2/3 of the swing.
@@ -252,13 +251,12 @@ namespace
     check_close("growing ripple: change", dte.change, 1 - std::pow(2.75, -.5), 1e-3);
     check("growing ripple: said so",
           grows.explain().rfind("means steady from", 0) == 0 &&
-            grows.explain().find("the ripple is NOT steady") != std::string::npos);
+            has_text(grows.explain(), "the ripple is NOT steady"));
     // Forces of thousands are no powers of ten.
     Ripple of_forces  = grows.ripple;
     of_forces.columns = {{"contact force total", "N", 1829.4, 1834.2, .0339}};
     check("forces as one reads them",
-          of_forces.explain().find("3.39 % (contact force total 1829 and 1834 N)") !=
-            std::string::npos);
+          has_text(of_forces.explain(), "3.39 % (contact force total 1829 and 1834 N)"));
     check("shrinking ripple: neither is it", !find([&](const double t) {
                                                 return growth(14 - t) * std::sin(2 * pi * t);
                                               }).ripple.steady);

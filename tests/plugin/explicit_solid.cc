@@ -350,13 +350,12 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc,
-            argv,
-            {same_as_run,
-             energy_of_plane_wave,
-             work_of_forces,
-             patch_tests,
-             step_and_masses,
-             prescribed_values_and_damping});
-  return 0;
+  return run_parts(argc,
+                   argv,
+                   {same_as_run,
+                    energy_of_plane_wave,
+                    work_of_forces,
+                    patch_tests,
+                    step_and_masses,
+                    prescribed_values_and_damping});
 }

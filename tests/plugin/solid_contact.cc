@@ -143,6 +143,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {hit_implicitly, hit_explicitly, bounce});
-  return 0;
+  return run_parts(argc, argv, {hit_implicitly, hit_explicitly, bounce});
 }

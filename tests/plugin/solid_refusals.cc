@@ -159,6 +159,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {of_meshes, of_constraints, of_steps, of_contact});
-  return 0;
+  return run_parts(argc, argv, {of_meshes, of_constraints, of_steps, of_contact});
 }

@@ -145,6 +145,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {at_rest, in_motion});
-  return 0;
+  return run_parts(argc, argv, {at_rest, in_motion});
 }

@@ -199,6 +199,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {on_bores, on_shafts});
-  return 0;
+  return run_parts(argc, argv, {on_bores, on_shafts});
 }

@@ -135,18 +135,6 @@ namespace
     bool                turns_ = false;
   };
 
-  /** Largest difference over the largest number. */
-  double difference(const Field &a, const Field &b)
-  {
-    double worst = 0, largest = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-      {
-        worst   = largest_of(worst, std::abs(a[i] - b[i]));
-        largest = largest_of(largest, std::abs(a[i]));
-      }
-    return worst / largest;
-  }
-
   bool is_double(const ReducedBody::Harmonic &harmonic, const ReducedBody &body)
   {
     return harmonic.number > 0 && 2 * harmonic.number < body.n_sectors;
@@ -227,7 +215,7 @@ namespace
         const Field u = whole_field(body, [&](const unsigned int k) {
           return Eigen::VectorXd(answers[k].col(column));
         });
-        worst         = largest_of(worst, difference(whole.answer(forces), u));
+        worst         = largest_of(worst, relative_difference(whole.answer(forces), u));
         turn          = largest_of(turn, whole.turn_of(u));
       }
     check_below(name + ": displacements under forces", worst, 1e-7);
@@ -246,19 +234,22 @@ namespace
       {
         check_below(name + ": displacements without angular momentum", turn, 1e-8);
         check_below(name + ": displacements under the torque",
-                    difference(whole.answer(whole.torque()),
-                               under(reduced.torque_residual, {1., 0.})),
+                    relative_difference(whole.answer(whole.torque()),
+                                        under(reduced.torque_residual, {1., 0.})),
                     1e-7);
         check(name + ": an acceleration turns it only",
               reduced.euler_residual.norm() == 0. && umbrella.euler.norm() == 0.);
       }
     else
       check_below(name + ": displacements under an acceleration",
-                  difference(whole.answer(whole.euler()), under(reduced.euler_residual, {0., 1.})),
+                  relative_difference(whole.answer(whole.euler()),
+                                      under(reduced.euler_residual, {0., 1.})),
                   1e-7);
     if (reduced.rate != 0)
       // Both are found by Newton's method to 1e-7.
-      check_below(name + ": state of spin", difference(whole.spin(), alike(reduced.spin)), 1e-6);
+      check_below(name + ": state of spin",
+                  relative_difference(whole.spin(), alike(reduced.spin)),
+                  1e-6);
   }
 
   /** Unit loads on the seats of bearings and couplings, and what they, all nodes and the body as a
@@ -300,13 +291,14 @@ namespace
         // About the axis nothing is left where it turns freely.
         if (reduced.turns && std::abs(body.axis.direction[c % 3]) > .5 && c % 6 > 2)
           continue;
-        nodes = largest_of(nodes, difference(u, whole_field(body, [&](const unsigned int k) {
-                                               return Eigen::VectorXd(
-                                                 (rows[0] * own +
-                                                  std::polar(1., k * reduced.sector_angle) *
-                                                    (rows[1] * own))
-                                                   .real());
-                                             })));
+        nodes =
+          largest_of(nodes, relative_difference(u, whole_field(body, [&](const unsigned int k) {
+                                                  return Eigen::VectorXd(
+                                                    (rows[0] * own +
+                                                     std::polar(1., k * reduced.sector_angle) *
+                                                       (rows[1] * own))
+                                                      .real());
+                                                })));
         const Eigen::VectorXd moved = turn * rings * own, known = seats.displacement(u);
         // Turns as ways at 10 mm.
         const double largest =
@@ -676,8 +668,7 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc,
-            argv,
-            {wheels, pinions, bearings, cutoffs, coriolis, speed, rows, sources, refusals});
-  return 0;
+  return run_parts(argc,
+                   argv,
+                   {wheels, pinions, bearings, cutoffs, coriolis, speed, rows, sources, refusals});
 }

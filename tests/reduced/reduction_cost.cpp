@@ -4,7 +4,6 @@
 
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/mesh/body_mesh.h>
-#include <vfife/model/body_frame.h>
 #include <vfife/reduced/body_reduction.h>
 
 #include <iostream>

@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <fstream>
 #include <memory>
 #include <numeric>
 #include <optional>

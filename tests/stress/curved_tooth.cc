@@ -10,7 +10,6 @@
 
 #include <vfife/fem/statics/compliance.h>
 #include <vfife/fem/system/load_forces.h>
-#include <vfife/mesh/gear/gear_body.h>
 #include <vfife/study/fillets/fillet_faces.h>
 
 #include <numeric>

@@ -12,7 +12,6 @@
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/fem/statics/compliance.h>
 #include <vfife/fem/statics/static_solver.h>
-#include <vfife/mesh/gear/gear_body.h>
 #include <vfife/mesh/hexahedron_corners.h>
 #include <vfife/mesh/node_set_names.h>
 
@@ -228,7 +227,7 @@ namespace
     for (std::string line; std::getline(in, line);)
       {
         if (line.rfind(" -4", 0) == 0)
-          inside = line.find("STRESS") != std::string::npos;
+          inside = has_text(line, "STRESS");
         if (!inside || line.rfind(" -1", 0) != 0 ||
             nodes.count(std::stoul(line.substr(3, 10)) - 1) == 0)
           continue;

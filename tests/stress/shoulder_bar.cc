@@ -8,7 +8,6 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/stress/surface_stress.h>
 
-#include <algorithm>
 #include <iomanip>
 
 using namespace vfife;
@@ -34,7 +33,7 @@ namespace
     options.linear_solver = LinearSolverKind::direct;
     const StaticSolver        solver(model, {0}, options, world);
     const StaticResult        result = solver.solve(loads);
-    const std::vector<Stress> nodal  = solver.compute_node_stresses(result);
+    const std::vector<Stress> nodal  = compute_node_stresses(solver.space(), result.displacements);
     Factors                   factors;
     for (const auto &facet : bar.fillet_facets())
       {

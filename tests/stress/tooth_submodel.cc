@@ -11,12 +11,9 @@
 #include <vfife/fem/statics/compliance.h>
 #include <vfife/fem/submodel/tooth_submodel.h>
 #include <vfife/fem/system/load_forces.h>
-#include <vfife/mesh/gear/gear_body.h>
 #include <vfife/model/load_shares.h>
 #include <vfife/study/fillets/facet_readings.h>
 #include <vfife/study/fillets/fillet_faces.h>
-
-#include <algorithm>
 
 using namespace vfife;
 

@@ -2,6 +2,7 @@
 #ifndef vfife_tests_study_child_program_h
 #define vfife_tests_study_child_program_h
 
+#include "../read_files.h"
 #include "../tests.h"
 
 #include <vfife/base/process/failure.h>
@@ -18,7 +19,6 @@
 #include <fstream>
 #include <functional>
 #include <mpi.h>
-#include <sstream>
 #include <string>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -32,14 +32,6 @@ struct Ending
   int         exit_code = -1; ///< -1: killed by a signal
   std::string text;
 };
-
-inline std::string read_text(const std::string &path)
-{
-  std::ifstream      file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 /** What the program does (main_study.cc), in children of a process that has loaded the libraries
  * and started MPI: a start of its own takes 0.7 s of processor time. */

@@ -38,14 +38,6 @@ namespace histories
     std::string column;         ///< that has it
   };
 
-  inline double largest_size(const std::vector<double> &values)
-  {
-    double size = 0;
-    for (const double value : values)
-      size = largest_of(size, std::abs(value));
-    return size;
-  }
-
   /** Largest value of all columns of a unit. */
   inline double largest_of_unit(const vfife::Table &history, const std::string &unit)
   {

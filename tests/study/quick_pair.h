@@ -131,11 +131,13 @@ inline void run_pair(const std::string       &file,
   run_case(file, folder, communicator, overrides, restart);
 }
 
+using Columns = std::map<std::string, std::vector<double>>;
+
 /** Columns of a CSV file of numbers by name ("dte"), without the units of the header. */
-inline std::map<std::string, std::vector<double>> read_columns(const std::string &path)
+inline Columns read_columns(const std::string &path)
 {
-  const vfife::Table                         table = vfife::read_result_table(path);
-  std::map<std::string, std::vector<double>> columns;
+  const vfife::Table table = vfife::read_result_table(path);
+  Columns            columns;
   for (const vfife::Table::Column &column : table.columns())
     if (!column.is_text)
       columns[column.name] = column.numbers;
@@ -143,7 +145,7 @@ inline std::map<std::string, std::vector<double>> read_columns(const std::string
 }
 
 /** Does the case of a parameter file with this text; its histories. */
-inline std::map<std::string, std::vector<double>>
+inline Columns
 run_text(const std::string &name, const std::string &text, vfife::Communicator &communicator)
 {
   std::ofstream(name + ".prm") << text;

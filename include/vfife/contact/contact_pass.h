@@ -16,7 +16,6 @@
 #include <vfife/contact/touch_geometry.h>
 #include <vfife/contact/touching_point.h>
 
-#include <array>
 #include <utility>
 #include <vector>
 

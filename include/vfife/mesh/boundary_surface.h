@@ -12,19 +12,12 @@
 
 namespace vfife
 {
-  /** A face of the boundary: area centre [mm] and unit outward normal. */
-  using BoundaryFaceSelection = std::function<bool(const Vector3 &centre, const Vector3 &normal)>;
-
   /**
-   * Plain facets (no offsets) on the boundary faces that @p select takes, corners counter-clockwise
-   * seen from outside, area-weighted mean normals at the nodes, neighbours found. Surface nodes are
-   * numbered as first met. Throws InputError when no face is taken.
+   * Plain facets (no offsets) on the boundary faces whose four nodes are all in the sorted list
+   * @p nodes, corners counter-clockwise seen from outside, area-weighted mean normals at the nodes,
+   * neighbours found. Surface nodes are numbered as first met. Throws InputError when no face is
+   * taken.
    */
-  FacetSurface surface_of_boundary(const dealii::Triangulation<3> &triangulation,
-                                   const std::string              &name,
-                                   const BoundaryFaceSelection    &select);
-
-  /** The same for the boundary faces whose four nodes are all in the sorted list @p nodes. */
   FacetSurface surface_of_boundary(const dealii::Triangulation<3>  &triangulation,
                                    const std::string               &name,
                                    const std::vector<unsigned int> &nodes);

@@ -5,7 +5,6 @@
 #include <vfife/element/stiffness.h>
 #include <vfife/reduced/reduced_body.h>
 
-#include <array>
 #include <complex>
 #include <string>
 #include <vector>

@@ -5,9 +5,6 @@
 #include <vfife/base/text/table.h>
 #include <vfife/reduced/reduced_body.h>
 
-#include <string>
-#include <vector>
-
 namespace vfife
 {
   struct Model;

@@ -35,11 +35,6 @@ namespace vfife
     return std::chrono::duration<double>(time).count();
   }
 
-  unsigned long long Timers::calls(const unsigned int section) const
-  {
-    return sections_.at(section).calls;
-  }
-
   double Timers::total() const
   {
     return std::chrono::duration<double>(Clock::now() - start_).count();

@@ -5,7 +5,6 @@
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <vector>
 

@@ -53,11 +53,6 @@ namespace vfife
 
   ContactSystem::~ContactSystem() = default;
 
-  bool ContactSystem::empty() const
-  {
-    return pairs_.empty();
-  }
-
   double ContactSystem::vote_on_step(const double element_step) const
   {
     // A surface node is in one pair at a time: the pairs' springs do not add up.

@@ -11,7 +11,6 @@
 #include <cmath>
 #include <exception>
 #include <limits>
-#include <utility>
 
 namespace vfife
 {
@@ -323,12 +322,12 @@ namespace vfife
                                               dt_,
                                               damping_[b],
                                               references_[b].axis(),
-                                              state.partition->owned.data(),
-                                              forces_.data(),
-                                              before.position.data(),
-                                              before.velocity.data(),
-                                              state.position.data(),
-                                              state.velocity.data(),
+                                              {state.partition->owned.data(),
+                                               forces_.data(),
+                                               before.position.data(),
+                                               before.velocity.data(),
+                                               state.position.data(),
+                                               state.velocity.data()},
                                               keeps ? &motions_[b] : nullptr);
       }
     constraints_.apply(state.time,

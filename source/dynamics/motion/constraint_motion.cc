@@ -3,8 +3,6 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/dynamics/motion/constraint_motion.h>
 
-#include <cmath>
-
 namespace vfife
 {
   ConstraintMotion::ConstraintMotion(const Model        &model,

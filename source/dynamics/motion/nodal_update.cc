@@ -1,6 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/dynamics/motion/nodal_update.h>
-#include <vfife/dynamics/motion/update_kernels.h>
 
 #include <cmath>
 
@@ -99,28 +98,14 @@ namespace vfife
                           const double         dt,
                           const BodyDamping   &damping,
                           const UpdateAxis    &axis,
-                          const unsigned char *owned,
-                          const double        *forces,
-                          const double        *old_positions,
-                          const double        *old_velocities,
-                          double              *positions,
-                          double              *velocities,
+                          const NodeRecords   &records,
                           NodalMotion         *motion,
                           const InstructionSet instruction_set)
   {
     double             found[n_measured_sums] = {};
     UpdateCoefficients coefficients           = make_coefficients(dt, damping, axis);
     coefficients.measures                     = motion != nullptr;
-    select_update(instruction_set)(coefficients,
-                                   first,
-                                   last,
-                                   owned,
-                                   forces,
-                                   old_positions,
-                                   old_velocities,
-                                   positions,
-                                   velocities,
-                                   found);
+    select_update(instruction_set)(coefficients, first, last, records, found);
     if (motion != nullptr)
       add_found(found, *motion);
     // The kernel leaves zeta out of what the damper does.
@@ -147,31 +132,5 @@ namespace vfife
         sums.second_moment(i, j) = sums.second_moment(j, i) = found[sum_of_second_moment + 3 + i];
       }
     return sums;
-  }
-
-  UpdateSums update_nodes(const std::size_t    first,
-                          const std::size_t    last,
-                          const double         dt,
-                          const BodyDamping   &damping,
-                          const UpdateAxis    &axis,
-                          const unsigned char *owned,
-                          const double        *forces,
-                          double              *positions,
-                          double              *velocities,
-                          const InstructionSet instruction_set)
-  {
-    return update_nodes(first,
-                        last,
-                        dt,
-                        damping,
-                        axis,
-                        owned,
-                        forces,
-                        positions,
-                        velocities,
-                        positions,
-                        velocities,
-                        nullptr,
-                        instruction_set);
   }
 } // namespace vfife

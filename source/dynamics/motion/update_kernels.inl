@@ -194,28 +194,25 @@ namespace vfife
     }
 
 
-    /** One step of N nodes: update, store, and what the sums want of both states. */
+    /** One step of N nodes from @p node on: update, store, and what the sums want of both states.
+     */
     template <unsigned int N, bool use_axis, bool measures>
     VFIFE_INLINE void update_block(const UpdateCoefficients &coefficients,
-                                   const unsigned char      *owned,
-                                   const double             *forces,
-                                   const double             *old_positions,
-                                   const double             *old_velocities,
-                                   double                   *positions,
-                                   double                   *velocities,
+                                   const NodeRecords         records,
+                                   const std::size_t         node,
                                    Vec<double, N> (&sums)[n_measured_sums])
     {
       // 1. Positions (and 1/m), velocities (and m), forces.
       using V = Vec<double, N>;
       V x[4], v[4], f[4];
-      load_nodes<N>(old_positions, x);
-      load_nodes<N>(old_velocities, v);
-      load_nodes<N>(forces, f);
+      load_nodes<N>(records.old_positions + 4 * node, x);
+      load_nodes<N>(records.old_velocities + 4 * node, v);
+      load_nodes<N>(records.forces + 4 * node, f);
 
       // 2. The mass that counts in sums: zero where another rank owns the node.
       double counts[N];
       for (unsigned int lane = 0; lane < N; ++lane)
-        counts[lane] = owned[update_lane_node<N>(lane)];
+        counts[lane] = records.owned[node + update_lane_node<N>(lane)];
       const V m = v[3] * V::load(counts);
 
       // 3. Central differences with centred damping; constrained nodes have 1/m = 0.
@@ -234,8 +231,8 @@ namespace vfife
         }
       v_new[3] = v[3];
       x_new[3] = x[3];
-      store_nodes<N>(x_new, positions);
-      store_nodes<N>(v_new, velocities);
+      store_nodes<N>(x_new, records.positions + 4 * node);
+      store_nodes<N>(v_new, records.velocities + 4 * node);
 
       // 4. T = m v- . v+/2, the powers of both dampers with v = (v- + v+)/2 at the old place, and
       // the
@@ -259,12 +256,7 @@ namespace vfife
     VFIFE_INLINE std::size_t update_blocks(const UpdateCoefficients &coefficients,
                                            const std::size_t         first,
                                            const std::size_t         last,
-                                           const unsigned char      *owned,
-                                           const double             *forces,
-                                           const double             *old_positions,
-                                           const double             *old_velocities,
-                                           double                   *positions,
-                                           double                   *velocities,
+                                           const NodeRecords         records,
                                            double                   *sums)
     {
       Vec<double, N> block_sums[n_measured_sums];
@@ -272,14 +264,7 @@ namespace vfife
         sum = 0.;
       std::size_t node = first;
       for (; node + N <= last; node += N)
-        update_block<N, use_axis, measures>(coefficients,
-                                            owned + node,
-                                            forces + 4 * node,
-                                            old_positions + 4 * node,
-                                            old_velocities + 4 * node,
-                                            positions + 4 * node,
-                                            velocities + 4 * node,
-                                            block_sums);
+        update_block<N, use_axis, measures>(coefficients, records, node, block_sums);
       for (unsigned int s = 0; s < (measures ? n_measured_sums : n_update_sums); ++s)
         {
           double lanes[N];
@@ -296,34 +281,12 @@ namespace vfife
     VFIFE_INLINE void update_all(const UpdateCoefficients &coefficients,
                                  const std::size_t         first,
                                  const std::size_t         last,
-                                 const unsigned char      *owned,
-                                 const double             *forces,
-                                 const double             *old_positions,
-                                 const double             *old_velocities,
-                                 double                   *positions,
-                                 double                   *velocities,
+                                 const NodeRecords         records,
                                  double                   *sums)
     {
-      const std::size_t rest = update_blocks<VFIFE_KERNEL_WIDTH, use_axis, measures>(coefficients,
-                                                                                     first,
-                                                                                     last,
-                                                                                     owned,
-                                                                                     forces,
-                                                                                     old_positions,
-                                                                                     old_velocities,
-                                                                                     positions,
-                                                                                     velocities,
-                                                                                     sums);
-      update_blocks<1, use_axis, measures>(coefficients,
-                                           rest,
-                                           last,
-                                           owned,
-                                           forces,
-                                           old_positions,
-                                           old_velocities,
-                                           positions,
-                                           velocities,
-                                           sums);
+      const std::size_t rest = update_blocks<VFIFE_KERNEL_WIDTH, use_axis, measures>(
+        coefficients, first, last, records, sums);
+      update_blocks<1, use_axis, measures>(coefficients, rest, last, records, sums);
     }
 
 
@@ -338,50 +301,18 @@ namespace vfife
     }
 
 
-    void update_kernel(const UpdateCoefficients &coefficients,
-                       std::size_t               first,
-                       std::size_t               last,
-                       const unsigned char      *owned,
-                       const double             *forces,
-                       const double             *old_positions,
-                       const double             *old_velocities,
-                       double                   *positions,
-                       double                   *velocities,
-                       double                   *sums);
+    UpdateFunction update_kernel;
 
     void update_kernel(const UpdateCoefficients &coefficients,
                        const std::size_t         first,
                        const std::size_t         last,
-                       const unsigned char      *owned,
-                       const double             *forces,
-                       const double             *old_positions,
-                       const double             *old_velocities,
-                       double                   *positions,
-                       double                   *velocities,
+                       const NodeRecords         records,
                        double                   *sums)
     {
       if (coefficients.use_axis)
-        update_for<true>(coefficients,
-                         first,
-                         last,
-                         owned,
-                         forces,
-                         old_positions,
-                         old_velocities,
-                         positions,
-                         velocities,
-                         sums);
+        update_for<true>(coefficients, first, last, records, sums);
       else
-        update_for<false>(coefficients,
-                          first,
-                          last,
-                          owned,
-                          forces,
-                          old_positions,
-                          old_velocities,
-                          positions,
-                          velocities,
-                          sums);
+        update_for<false>(coefficients, first, last, records, sums);
     }
   } // namespace VFIFE_SIMD_NAMESPACE
 } // namespace vfife

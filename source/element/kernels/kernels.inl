@@ -320,33 +320,19 @@ namespace vfife
           {
             const std::uint32_t *nodes = packs.nodes + 8 * n_lanes * pack + lane;
             const std::size_t    slot  = measures ? n_lanes * pack + lane : 0;
+            const auto           add   = [&](const auto &constants) {
+              add_lanes<frame_kind, measures>(
+                constants, nodes, positions, forces, energies + slot, jacobians + slot);
+            };
             if (packs.constants_row != nullptr)
-              add_lanes<frame_kind, measures>(
-                SharedConstants{packs.constants +
-                                n_element_constants * std::size_t(packs.constants_row[pack])},
-                nodes,
-                positions,
-                forces,
-                energies + slot,
-                jacobians + slot);
+              add(SharedConstants{packs.constants +
+                                  n_element_constants * std::size_t(packs.constants_row[pack])});
             else if (packs.hourglass != nullptr)
-              add_lanes<frame_kind, measures>(
-                OwnConstantsSingle{packs.constants + OwnConstantsSingle::n_kept * n_lanes * pack +
-                                     lane,
-                                   packs.hourglass + n_hourglass_constants * n_lanes * pack + lane},
-                nodes,
-                positions,
-                forces,
-                energies + slot,
-                jacobians + slot);
+              add(OwnConstantsSingle{
+                packs.constants + OwnConstantsSingle::n_kept * n_lanes * pack + lane,
+                packs.hourglass + n_hourglass_constants * n_lanes * pack + lane});
             else
-              add_lanes<frame_kind, measures>(
-                OwnConstants{packs.constants + n_element_constants * n_lanes * pack + lane},
-                nodes,
-                positions,
-                forces,
-                energies + slot,
-                jacobians + slot);
+              add(OwnConstants{packs.constants + n_element_constants * n_lanes * pack + lane});
           }
     }
 

@@ -5,7 +5,6 @@
 #include <vfife/model/body_frame.h>
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 
 // Unknowns of sector k are those of sector 0, turned by k sectors. Border 0 of a sector are the

@@ -3,7 +3,6 @@
 #include <vfife/base/complex.h>
 #include <vfife/base/errors.h>
 #include <vfife/fem/cyclic/cyclic_statics.h>
-#include <vfife/model/body_frame.h>
 
 #include <algorithm>
 #include <set>

@@ -6,8 +6,6 @@
 
 #include <deal.II/fe/mapping_q_cache.h>
 
-#include <string>
-
 namespace vfife
 {
   /** The displacements of a body on a distributed mesh: those of its elements, trilinear ones of

@@ -6,8 +6,6 @@
 
 #include <vfife/model/constraints/node_constraints.h>
 
-#include <map>
-
 namespace vfife
 {
   /**

@@ -5,7 +5,6 @@
 #include <vfife/fem/statics/compliance.h>
 #include <vfife/model/model.h>
 
-#include <algorithm>
 #include <numeric>
 
 namespace vfife

@@ -8,7 +8,6 @@
 
 #include <dmumps_c.h>
 
-#include <string>
 #include <vector>
 
 namespace vfife

@@ -283,11 +283,6 @@ namespace vfife
     return result;
   }
 
-  std::vector<Stress> StaticSolver::compute_node_stresses(const StaticResult &result) const
-  {
-    return vfife::compute_node_stresses(space_, result.displacements);
-  }
-
   std::vector<Stress> compute_stresses(const FemSpace            &space,
                                        const std::vector<double> &displacements)
   {

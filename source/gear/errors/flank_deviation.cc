@@ -46,11 +46,4 @@ namespace vfife
     const Matrix3 back = rotation_about(Vector3::UnitZ(), -angle);
     return {back * translation, back * rotation};
   }
-
-  FlankShift &FlankShift::operator+=(const FlankShift &other)
-  {
-    translation += other.translation;
-    rotation += other.rotation;
-    return *this;
-  }
 } // namespace vfife

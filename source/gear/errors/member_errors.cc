@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/gear/errors/member_errors.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace vfife

@@ -237,10 +237,4 @@ namespace vfife
     };
     return {border(-1.), border(1.)};
   }
-
-  double UnloadedContact::contact_ratio() const
-  {
-    const std::pair<double, double> range = path_range();
-    return (range.second - range.first) / pitch();
-  }
 } // namespace vfife

@@ -7,7 +7,6 @@
 #include "mesh_text.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <unordered_map>
 
 // Formats 2.2 and 4.1 of Gmsh (reference manual, "MSH file format"): sections $NAME ... $EndNAME.

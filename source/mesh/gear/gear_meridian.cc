@@ -5,7 +5,6 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
-#include <array>
 #include <cmath>
 
 namespace vfife

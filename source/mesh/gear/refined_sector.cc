@@ -7,7 +7,6 @@
 #include <vfife/mesh/node_set_names.h>
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 
 namespace vfife

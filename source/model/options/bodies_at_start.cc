@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/process/log.h>
-#include <vfife/contact/law/facet_penalty.h>
 #include <vfife/contact/search/broad_search.h>
 #include <vfife/contact/surface/facet_integrals.h>
 #include <vfife/contact/surface/facet_quadrature.h>

@@ -10,7 +10,6 @@
 #include <vfife/output/measures/node_stresses.h>
 #include <vfife/output/observers/part_stress_watch.h>
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <set>

@@ -5,7 +5,6 @@
 #include <vfife/model/state.h>
 #include <vfife/output/observers/progress_line.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iomanip>

@@ -91,10 +91,12 @@ namespace vfife
                        dt,
                        BodyDamping(),
                        UpdateAxis::of(model_.bodies[b]),
-                       state_.partition->owned.data(),
-                       forces_.data(),
-                       positions_.data(),
-                       velocities_.data());
+                       {state_.partition->owned.data(),
+                        forces_.data(),
+                        positions_.data(),
+                        velocities_.data(),
+                        positions_.data(),
+                        velocities_.data()});
         add_time(1);
       }
 

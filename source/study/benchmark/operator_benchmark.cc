@@ -125,10 +125,13 @@ namespace vfife
                      0.5 * operator_.limiting_element().stable_step(),
                      damping,
                      UpdateAxis::of(body),
-                     partition.owned.data(),
-                     forces_.data(),
-                     positions_.data(),
-                     velocities_.data(),
+                     {partition.owned.data(),
+                      forces_.data(),
+                      positions_.data(),
+                      velocities_.data(),
+                      positions_.data(),
+                      velocities_.data()},
+                     nullptr,
                      set);
       }
     return processor_time() - start;

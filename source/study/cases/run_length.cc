@@ -3,7 +3,6 @@
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/base/text/table.h>
-#include <vfife/base/types.h>
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/model/model.h>
 #include <vfife/output/files/checkpoint.h>

@@ -4,14 +4,156 @@
 #include <vfife/study/compare/nearest_mode.h>
 #include <vfife/study/compare/probe_columns.h>
 #include <vfife/study/compare/spectrum_lines.h>
-#include <vfife/study/compare/static_comparison.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace vfife
 {
   namespace
   {
+    /** A probe that moves less than this part of the one that moves most shows round-off and
+     * differences of second order; likewise of stresses. */
+    constexpr double least_part = .01;
+
+    /** What a column shows at rest, and how much of it is not at rest. */
+    struct RestValue
+    {
+      double value     = 0;
+      double vibration = 0; ///< largest deviation from it
+    };
+
+    /** Of a run the mean of its last third, of a `static` its last load step. */
+    RestValue find_rest(const std::vector<double> &values, const bool is_run)
+    {
+      // A run has left its start behind by then; what still vibrates decides whether it is judged.
+      const auto   from = values.end() - (is_run ? values.size() / 3 : 1);
+      const double mean = std::accumulate(from, values.end(), 0.) / (values.end() - from);
+      const auto   ends = std::minmax_element(from, values.end());
+      return {mean, std::max(*ends.second - mean, mean - *ends.first)};
+    }
+
+    /** The column of largest magnitude in the last row. */
+    std::string find_largest(const Table &table, const std::vector<std::string> &columns)
+    {
+      return *std::max_element(columns.begin(),
+                               columns.end(),
+                               [&](const std::string &a, const std::string &b) {
+                                 return std::abs(table.numbers(a).back()) <
+                                        std::abs(table.numbers(b).back());
+                               });
+    }
+
+    /** The last state of an explicit case beside that of linear statics, probe by probe. */
+    class ModelAtRest
+    {
+    public:
+      ModelAtRest(const ComparedCase &explicit_case, const ComparedCase &linear)
+        : is_run_(explicit_case.kind == "run")
+        , history_(explicit_case.table("history.csv"))
+        , reference_(linear.table("history.csv"))
+      {
+      }
+
+      void add_rows(const ComparisonTolerances &tolerances, ComparisonRows &rows) const
+      {
+        if (history_.n_rows() < (is_run_ ? 3 : 1) || reference_.n_rows() == 0)
+          return;
+        // 1. Probes that both cases have.
+        std::vector<ProbeColumns> probes = find_probe_columns(reference_);
+        const auto                known  = find_probe_columns(history_);
+        probes.erase(std::remove_if(probes.begin(),
+                                    probes.end(),
+                                    [&known](const ProbeColumns &probe) {
+                                      return std::none_of(known.begin(),
+                                                          known.end(),
+                                                          [&](const ProbeColumns &other) {
+                                                            return other.displacements ==
+                                                                   probe.displacements;
+                                                          });
+                                    }),
+                     probes.end());
+        // 2. The largest of all of them: beside it small ones are not judged.
+        double displacement = 0, stress = 0;
+        for (const ProbeColumns &probe : probes)
+          {
+            displacement =
+              std::max(displacement, magnitude(find_largest(reference_, probe.displacements)));
+            stress = std::max(stress, magnitude(probe.von_mises));
+          }
+        // 3. Of each the component that moves most, the largest stress and von Mises.
+        for (const ProbeColumns &probe : probes)
+          {
+            add_row(find_largest(reference_, probe.displacements),
+                    "mm",
+                    displacement,
+                    tolerances.displacement,
+                    rows);
+            add_row(
+              find_largest(reference_, probe.stresses), "MPa", stress, tolerances.stress, rows);
+            add_row(probe.von_mises, "MPa", stress, tolerances.stress, rows);
+          }
+      }
+
+    private:
+      double magnitude(const std::string &column) const
+      {
+        return std::abs(reference_.numbers(column).back());
+      }
+
+      /** @p largest: of such columns of all probes, @p tolerance: part of the reference. */
+      void add_row(const std::string &column,
+                   const std::string &unit,
+                   const double       largest,
+                   const double       tolerance,
+                   ComparisonRows    &rows) const
+      {
+        const RestValue rest = find_rest(history_.numbers(column), is_run_);
+        ComparisonRow   row{column + (is_run_ ? ", run" : ", static"),
+                          unit,
+                          rest.value,
+                          reference_.numbers(column).back(),
+                          "FEM",
+                          {},
+                          ""};
+        const double    size = std::abs(row.reference);
+        row.reason           = is_run_ ? "mean of the last third of the run against linear statics"
+                                       : "equilibrium by relaxation against linear statics";
+        if (size < least_part * largest)
+          row.reason += "; below 1 % of the largest of all probes";
+        else if (rest.vibration > tolerance * size)
+          row.reason += "; the run still vibrates by more than the tolerance";
+        else
+          row.tolerance = tolerance * size;
+        rows.push_back(row);
+      }
+
+      bool  is_run_;
+      Table history_, reference_;
+    };
+
+    /**
+     * Rows of general models at rest or in steady spin: displacements and stresses of the probes of
+     * a `static` or a `run` (its last third) against `linear static`, as far as these are among the
+     * cases (doc/reference/sweep-and-compare.md). Throws InputError where results cannot be read.
+     */
+    ComparisonRows compare_statics(const ComparedCases        &cases,
+                                   const ComparisonTolerances &tolerances)
+    {
+      ComparisonRows            rows;
+      const ComparedCase *const linear = find_case(cases, "linear static", "history.csv");
+      if (linear == nullptr)
+        return rows;
+      for (const char *kind : {"static", "run"})
+        {
+          const ComparedCase *const found = find_case(cases, kind, "history.csv");
+          if (found != nullptr && !found->is_pair)
+            ModelAtRest(*found, *linear).add_rows(tolerances, rows);
+        }
+      return rows;
+    }
+
     /** Lines of a run that rings down beside the natural frequencies: what moves most at each
      * probe. */
     void add_ring_down(const ComparedCase         &run,

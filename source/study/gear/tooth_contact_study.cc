@@ -5,6 +5,7 @@
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/log.h>
+#include <vfife/base/types.h>
 #include <vfife/gear/unloaded_contact/contact_analysis.h>
 #include <vfife/gear/unloaded_contact/tooth_form.h>
 #include <vfife/gear/unloaded_contact/unequal_teeth.h>
@@ -18,7 +19,6 @@
 #include <vfife/study/cases/run_plan.h>
 #include <vfife/study/gear/contact_analysis_json.h>
 #include <vfife/study/gear/tooth_contact_study.h>
-#include <vfife/study/gear/tooth_form_texts.h>
 #include <vfife/study/start_summary.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -26,6 +26,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <ostream>
 
@@ -39,6 +40,61 @@ namespace vfife
       char text[64];
       std::snprintf(text, sizeof text, "%.*f", decimals, value);
       return text;
+    }
+
+    /** Figures of the teeth at some sections of both members, with units: the part "teeth" of
+     * tca.json. */
+    Json form_json(const ToothForms &forms)
+    {
+      Json json = figures_json({{"backlash angle of the gear", {forms.play / arcsecond, "arcsec"}},
+                                {"normal backlash", {forms.backlash, "mm"}}});
+      for (const auto *member : {&forms.pinion, &forms.gear})
+        for (const ToothSection &section : *member)
+          json[member == &forms.pinion ? "pinion" : "gear"][section.place] =
+            figures_json({{"cone distance", {section.cone_distance, "mm"}},
+                          {"transverse thickness", {section.thickness, "mm"}},
+                          {"tip land", {section.tip_land, "mm"}},
+                          {"root clearance", {section.root_clearance, "mm"}},
+                          {"mating tip over the fillet", {section.fillet_distance, "mm"}},
+                          {"undercut indicator at the fillet", {section.regularity, "-"}}});
+      return json;
+    }
+
+    /** A table of the same, play, backlash and the warnings. */
+    void log_forms(const ToothForms &forms, Log &log)
+    {
+      log.line(
+        "teeth (mm)            thickness  tip land  root clearance  tip over fillet  undercut "
+        "indicator");
+      for (const auto *member : {&forms.pinion, &forms.gear})
+        for (const ToothSection &section : *member)
+          {
+            char row[128], over_fillet[32] = "not known";
+            if (std::isfinite(section.fillet_distance))
+              std::snprintf(over_fillet, sizeof over_fillet, "%.3f", section.fillet_distance);
+            std::snprintf(row,
+                          sizeof row,
+                          "  %-7s %-7s %14.3f %9.3f %15.3f %16s %19.2f",
+                          member == &forms.pinion ? "pinion" : "gear",
+                          section.place.c_str(),
+                          section.thickness,
+                          section.tip_land,
+                          section.root_clearance,
+                          over_fillet,
+                          section.regularity);
+            log.line(row);
+          }
+      char play[128] = "backlash as mounted   not known: no contact inside the flanks of one side";
+      if (std::isfinite(forms.play))
+        std::snprintf(
+          play,
+          sizeof play,
+          "backlash as mounted   %.4f mm normal at the mean point, %.1f arcsec at the gear",
+          forms.backlash,
+          forms.play / arcsecond);
+      log.line(play);
+      for (const std::string &message : forms.findings.warnings())
+        log.warning(message);
     }
 
     /** What a designer looks at first, of one side. */

@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/complex.h>
 #include <vfife/element/stress.h>
-#include <vfife/model/body_frame.h>
 #include <vfife/study/cases/probe_copies.h>
 #include <vfife/study/stress_waves/stress_wave_places.h>
 

@@ -2,8 +2,6 @@
 #include <vfife/base/text/column_names.h>
 #include <vfife/study/stress_waves/stress_wave_writers.h>
 
-#include <utility>
-
 namespace vfife
 {
   namespace
@@ -51,19 +49,6 @@ namespace vfife
     return columns;
   }
 
-  ProbeWaveWriter::ProbeWaveWriter(const OutputFolder              &folder,
-                                   const std::uint64_t              steps_between,
-                                   const double                     last_mesh,
-                                   const std::vector<unsigned int> &diameters,
-                                   const StressWavePlaces          &places,
-                                   ProbeMeasure                     measure)
-    : LastMeshTable(folder, "probe_waves.csv", list_probe_wave_columns(), steps_between, last_mesh)
-    , diameters_(diameters)
-    , places_(places)
-    , measure_(std::move(measure))
-  {
-  }
-
   void ProbeWaveWriter::add_rows(const Model &, const State &state)
   {
     const std::vector<double> largest = places_.measure_probes(measure_);
@@ -73,20 +58,6 @@ namespace vfife
         for (std::size_t p = 0; p < waves.probes.size(); ++p)
           add_row(state, {places_.names()[p], n, largest[p], waves.probes[p]});
       }
-  }
-
-  FilletWaveWriter::FilletWaveWriter(const OutputFolder              &folder,
-                                     const std::uint64_t              steps_between,
-                                     const double                     last_mesh,
-                                     const std::vector<unsigned int> &diameters,
-                                     const StressWavePlaces          &places,
-                                     FilletMeasure                    measure)
-    : LastMeshTable(
-        folder, "fillet_waves.csv", list_fillet_wave_columns(), steps_between, last_mesh)
-    , diameters_(diameters)
-    , places_(places)
-    , measure_(std::move(measure))
-  {
   }
 
   void FilletWaveWriter::add_rows(const Model &, const State &state)

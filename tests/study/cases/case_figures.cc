@@ -2,6 +2,7 @@
 // Figures of a case before it moves: steps between samples, masses of meshes beside those of the
 // true bodies, areas, and how wide contacts were when a run warns of them.
 #include "../../parts.h"
+#include "../../read_files.h"
 #include "../../tests.h"
 #include "../gear_model.h"
 #include "../quick_pair.h"
@@ -57,12 +58,9 @@ namespace
     const double about = mesh.at("polar inertia")[1], across = mesh.at("transverse inertia")[1];
     check("about and across the axis of the gear", about > 1.8 * across && about < 2. * across);
     // In the log, of the same body, in brackets.
-    std::ifstream     log("meshes/run.log");
-    std::stringstream all;
-    all << log.rdbuf();
     char difference[32];
     std::snprintf(difference, sizeof difference, "(%+.3f %%)", mesh.at("mass difference")[1]);
-    check("difference of the mass in the log", all.str().find(difference) != std::string::npos);
+    check("difference of the mass in the log", has_text(read_text("meshes/run.log"), difference));
   }
 
   void areas(Communicator &)
@@ -123,13 +121,12 @@ namespace
       }
     watch.finish(model, state);
     check("a warning of the width under the largest force",
-          said.str().find("is 0.0625 mm wide") != std::string::npos);
+          has_text(said.str(), "is 0.0625 mm wide"));
     check("and of that pair alone", said.str().find("wide") == said.str().rfind("wide"));
   }
 } // namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {steps, meshes, areas, points, widths});
-  return 0;
+  return run_parts(argc, argv, {steps, meshes, areas, points, widths});
 }

@@ -211,18 +211,15 @@ subsection Fem
   {
     const std::string quiet = screen_of("quiet", world), normal = screen_of("normal", world),
                       detailed = screen_of("detailed", world);
-    const auto has             = [](const std::string &text, const std::string &part) {
-      return text.find(part) != std::string::npos;
-    };
-    check("quiet: nothing of the bodies", !has(quiet, "20 elements"));
+    check("quiet: nothing of the bodies", !has_text(quiet, "20 elements"));
     check("normal: the bodies, no steps of the relaxation",
-          has(normal, "20 elements") && !has(normal, "relaxation step "));
-    check("detailed: both", has(detailed, "20 elements") && has(detailed, "relaxation step "));
+          has_text(normal, "20 elements") && !has_text(normal, "relaxation step "));
+    check("detailed: both",
+          has_text(detailed, "20 elements") && has_text(detailed, "relaxation step "));
   }
 } // namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {discretizations, surfaces, starts, elements, verbosities});
-  return 0;
+  return run_parts(argc, argv, {discretizations, surfaces, starts, elements, verbosities});
 }

@@ -276,6 +276,7 @@ end
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {hanging, sizes_and_places, late_and_falling, released, twisted, pressed});
-  return 0;
+  return run_parts(argc,
+                   argv,
+                   {hanging, sizes_and_places, late_and_falling, released, twisted, pressed});
 }

@@ -1,10 +1,10 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // A quarter of a ring with its planes of symmetry, whose corners are held along x or y and led in
 // radius at once: against Lame's thick ring and against the whole ring, by all solvers.
+#include "../../refusal.h"
 #include "../../tests.h"
 #include "../quick_pair.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/base/types.h>
 
@@ -14,8 +14,6 @@ using namespace vfife;
 
 namespace
 {
-  using Columns = std::map<std::string, std::vector<double>>;
-
   constexpr double       inner = 50, outer = 80, height = 5, grown = 0.01, poisson = 0.29;
   constexpr unsigned int n_radial = 6, n_around = 12; // in a quarter
 
@@ -193,15 +191,8 @@ namespace
 
   void refused(const std::string &kind, const std::string &text, Communicator &world)
   {
-    try
-      {
-        run_text("refused", study(kind) + text, world);
-        check(kind + ": refused", false);
-      }
-    catch (const InputError &error)
-      {
-        std::cout << kind << ": " << error.what() << std::endl;
-      }
+    std::cout << kind << ": ";
+    print_refusal([&] { run_text("refused", study(kind) + text, world); });
   }
 
   void agreement(Communicator &world)

@@ -2,6 +2,7 @@
 // Damping relative to the turning body: decay of a vibration while the body flies on, and the audit
 // of a ring whose drag is known.
 #include "../../model_sections.h"
+#include "../../read_files.h"
 #include "../../refusal.h"
 #include "../../tests.h"
 #include "../quick_pair.h"
@@ -63,9 +64,7 @@ namespace
 
   /** ln(E/E_0)/(-zeta t) of an energy @p less what flies on with it [mJ], and what of that energy
    * the dampers have not lost. */
-  std::pair<double, double> decay_of(std::map<std::string, std::vector<double>> &run,
-                                     const double                                rate,
-                                     const double                                less = 0)
+  std::pair<double, double> decay_of(Columns &run, const double rate, const double less = 0)
   {
     const auto energy = [&](const std::size_t i) {
       return run["kinetic energy"][i] + run["strain energy"][i] - less;
@@ -299,8 +298,7 @@ namespace
                 1.,
                 1e-3);
 
-    std::ifstream file("ring/summary.json");
-    const auto    audit = nlohmann::json::parse(file).at("damping audit").at(0);
+    const auto   audit = read_json("ring/summary.json").at("damping audit").at(0);
     const auto   value = [&](const char *name) { return audit.at(name).at("value").get<double>(); };
     const double rpm   = pi / 30;
     const Drift  end   = follow(time);

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Tooth pairs that carry within and outside their path of contact, and what is said of a torque
 // under which the flanks cannot last.
+#include "../../read_files.h"
 #include "../../refusal.h"
 #include "../../tests.h"
 #include "../quick_pair.h"
@@ -78,15 +79,14 @@ namespace
     check_close("outside: before [N]", value(outside, "largest force before it"), 300, 0);
     check_close("outside: after [N]", value(outside, "largest force after it"), 70, 0);
     check("outside: named",
-          outside.explain().find("before the path of contact (gear tip") != std::string::npos &&
-            outside.explain().find("after the path of contact (pinion heel") != std::string::npos);
+          has_text(outside.explain(), "before the path of contact (gear tip") &&
+            has_text(outside.explain(), "after the path of contact (pinion heel"));
     check("a touch is none",
           !observe({{0, "drive", 0, 5000}, {.05 * mesh, "drive", 26, 49}}).found());
     const std::string one =
       observe({{0, "drive", 0, 5000}, {.05 * mesh, "drive", 26, 300}}).explain();
     check("outside: an edge without force is not named",
-          one.find("gear tip") != std::string::npos &&
-            one.find("pinion heel") == std::string::npos);
+          has_text(one, "gear tip") && !has_text(one, "pinion heel"));
   }
 
   /** What --check says of the coarse pair, whose Hertz pressure is 1296 MPa at 800 N m. */
@@ -103,34 +103,28 @@ namespace
                                                 "set elements through rim = 2",
                                                 "1e-6");
     const std::string words = "exceeds the limit of";
-    check("800 N m: nothing is said", look({}, communicator).find(words) == std::string::npos);
+    check("800 N m: nothing is said", !has_text(look({}, communicator), words));
     const std::string tenfold = look({"Operation/torque=8000 N m"}, communicator);
     // The cube root of ten times as much
-    check("8000 N m: it is said",
-          tenfold.find("2793 MPa, exceeds the limit of 1500 MPa") != std::string::npos);
+    check("8000 N m: it is said", has_text(tenfold, "2793 MPa, exceeds the limit of 1500 MPa"));
     check("another limit",
-          look({"Operation/contact stress limit=1.2 GPa"}, communicator)
-              .find("exceeds the limit of 1200 MPa") != std::string::npos);
+          has_text(look({"Operation/contact stress limit=1.2 GPa"}, communicator),
+                   "exceeds the limit of 1200 MPa"));
     check("no limit",
-          look({"Operation/torque=8000 N m", "Operation/contact stress limit=0"}, communicator)
-              .find(words) == std::string::npos);
-  }
-
-  nlohmann::json read_summary(const std::string &folder)
-  {
-    std::ifstream file(folder + "/summary.json");
-    return nlohmann::json::parse(file);
+          !has_text(look({"Operation/torque=8000 N m", "Operation/contact stress limit=0"},
+                         communicator),
+                    words));
   }
 
   /** The load at the pinion: 800 x 27/79 = 273.418 N m. */
   void torques(Communicator &communicator)
   {
     const std::string words = "torque on the pinion 273.4 N m, on the gear 800 N m";
-    check("both torques, the gear's given",
-          look({}, communicator).find(words) != std::string::npos);
+    check("both torques, the gear's given", has_text(look({}, communicator), words));
     check("the pinion's given",
-          look({"Operation/torque=0", "Operation/pinion torque=273.41772 N m"}, communicator)
-              .find(words) != std::string::npos);
+          has_text(look({"Operation/torque=0", "Operation/pinion torque=273.41772 N m"},
+                        communicator),
+                   words));
     print_refusal([&] { look({"Operation/pinion torque=273 N m"}, communicator); });
     print_refusal([&] { look({"Operation/torque=0"}, communicator); });
   }
@@ -159,14 +153,13 @@ namespace
         entries.insert(entries.end(),
                        {"Study/kind=" + kind, "Operation/contact stress limit=1.2 GPa"});
         run_pair("pressure.prm", "kind", communicator, entries);
-        const nlohmann::json summary = read_summary("kind");
+        const nlohmann::json summary = read_json("kind/summary.json");
         const auto           found   = summary.at("input conflicts").dump();
         std::ifstream        file("kind/run.log");
         const std::string    log((std::istreambuf_iterator<char>(file)), {});
         check(kind + ": input conflict in the summary",
-              found.find("1296 MPa, exceeds the limit of 1200 MPa") != std::string::npos);
-        check("in the log",
-              log.find("warning: input conflict: Hertzian pressure") != std::string::npos);
+              has_text(found, "1296 MPa, exceeds the limit of 1200 MPa"));
+        check("in the log", has_text(log, "warning: input conflict: Hertzian pressure"));
         std::size_t n_warnings = 0;
         for (std::size_t at = 0; (at = log.find("\nwarning: ", at)) != std::string::npos; ++at)
           ++n_warnings;
@@ -184,7 +177,7 @@ namespace
              {"Study/kind=loaded tooth contact analysis",
               "Loaded contact/positions=1",
               "Operation/speed=0"});
-    check("loaded at rest", read_summary("rest").at("status") == "finished");
+    check("loaded at rest", read_json("rest/summary.json").at("status") == "finished");
     check_close("torque of the contact at rest [N m]",
                 read_columns("rest/loaded_contact.csv").at("contact torque on the gear")[0],
                 800,
@@ -219,7 +212,7 @@ namespace
                  communicator,
                  small ? "small.prm" : "large.prm");
           check(std::string(small ? "small" : "large") + (damping > 2500 ? ": strong" : ": usual"),
-                (said.find(words) != std::string::npos) == (damping > 2500));
+                has_text(said, words) == (damping > 2500));
         }
   }
 } // namespace

@@ -18,15 +18,7 @@ namespace
                 const std::string              &folder,
                 Communicator                   &communicator)
   {
-    CommandLine line;
-    line.parameter_file = tree_folder() + "/prm/verification/" + name + ".prm";
-    line.output_folder  = folder;
-    line.overrides      = overrides;
-    line.overrides.emplace_back("Output/verbosity=quiet");
-    line.overrides.emplace_back("Output/report=no");
-    std::ostringstream nothing;
-    Log                log(nothing, communicator.is_root(), Verbosity::quiet);
-    run_study(line, communicator, log);
+    run_pair(tree_folder() + "/prm/verification/" + name + ".prm", folder, communicator, overrides);
   }
 
   void compare_ranks(const std::string              &name,

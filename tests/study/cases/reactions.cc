@@ -2,10 +2,10 @@
 // Reactions of supports in histories: balance with the loads at rest and in motion, the
 // conventional solver's, and closed forms: a suddenly pulled bar, a turning bar, a ring cut by its
 // planes of symmetry.
+#include "../../parts.h"
 #include "../../tests.h"
 #include "../quick_pair.h"
 
-#include <vfife/base/process/mpi_session.h>
 #include <vfife/base/types.h>
 
 #include <algorithm>
@@ -14,8 +14,6 @@ using namespace vfife;
 
 namespace
 {
-  using Columns = std::map<std::string, std::vector<double>>;
-
   std::string study(const std::string &kind)
   {
     return "subsection Study\n  set kind = " + kind +
@@ -242,9 +240,5 @@ end
 
 int main(int argc, char **argv)
 {
-  MpiSession session(argc, argv);
-  resting(session.world());
-  pulled(session.world());
-  turning(session.world());
-  return 0;
+  return run_parts(argc, argv, {resting, pulled, turning});
 }

@@ -54,14 +54,6 @@ namespace
     }
   };
 
-  double largest_energy_error(const Columns &run)
-  {
-    double largest = 0;
-    for (const double error : run.at("energy error"))
-      largest = largest_of(largest, std::abs(error));
-    return largest;
-  }
-
   /** Rates of the lines a exp(i w1 t) + b exp(i w2 t) of a whirl, > 0 forwards, from near them:
    * with t exp(i w t) beside each line its least squares say by how much it is off. */
   std::array<double, 2> fit_lines(const std::vector<double>  &time,
@@ -134,7 +126,7 @@ namespace
     check_below("whirl: tilt less the top's, over its amplitude",
                 tilt_error / (2 * 45. / (forward - backward)),
                 0.02);
-    check_below("whirl: energy error", largest_energy_error(run), 2e-3);
+    check_below("whirl: energy error", largest_size(run.at("energy error")), 2e-3);
     // Begun 4 % beside them, of which the fit must find back.
     const auto lines_of_shift = fit_lines(time, shift, {{1.04 * omega, -.96 * omega}}),
                lines_of_tilt  = fit_lines(time, tilt, {{1.04 * forward, .96 * backward}});
@@ -183,7 +175,7 @@ namespace
                 0.02);
     const double left = std::exp(-2 * decay * time.back());
     check("damped: most of the energy is lost", left < .5);
-    check_below("damped: energy error", largest_energy_error(run), 2e-3);
+    check_below("damped: energy error", largest_size(run.at("energy error")), 2e-3);
   }
 
   /** A torque against the driven end winds the coupling: phi = T/k (1 - cos w t), by a thousandth
@@ -236,7 +228,7 @@ namespace
                 run.at("work of the drive").back() / work,
                 1.,
                 0.01);
-    check_below(name + ": energy error", largest_energy_error(run), 1e-4);
+    check_below(name + ": energy error", largest_size(run.at("energy error")), 1e-4);
   }
 
   void wound(Communicator &world)
@@ -393,7 +385,7 @@ namespace
     check_below("passage: work of the drive less that on elements and force, over its largest",
                 work_error / largest_work,
                 0.01);
-    check_below("passage: energy error", largest_energy_error(run), 1e-3);
+    check_below("passage: energy error", largest_size(run.at("energy error")), 1e-3);
   }
   /** A cage knows from the time alone where it is: interrupted, that run has the same digits. */
   void passage_goes_on(Communicator &world)

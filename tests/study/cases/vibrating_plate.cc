@@ -68,16 +68,11 @@ int main(int argc, char **argv)
 {
   MpiSession    session(argc, argv);
   Communicator &world = session.world();
-  CommandLine   line;
-  line.parameter_file = tree_folder() + "/prm/verification/vibrating_plate.prm";
-  line.output_folder  = "plate";
-  line.overrides      = {"Model/Body plate/radial elements=" + std::to_string(radial),
-                         "Model/Body plate/elements around=" + std::to_string(around),
-                         "Output/verbosity=quiet",
-                         "Output/report=no"};
-  std::ostringstream nothing;
-  Log                log(nothing, true, Verbosity::quiet);
-  run_study(line, world, log);
+  run_pair(tree_folder() + "/prm/verification/vibrating_plate.prm",
+           "plate",
+           world,
+           {"Model/Body plate/radial elements=" + std::to_string(radial),
+            "Model/Body plate/elements around=" + std::to_string(around)});
 
   auto        history = read_columns("plate/history.csv");
   const auto &side = history["side displacement z"], &front = history["front displacement z"];

@@ -166,7 +166,7 @@ namespace
         {"run", "positions_run", "run", true},
         {"loaded", "positions_loaded", "loaded tooth contact analysis", true}};
       for (const ComparisonRow &row : compare_pair(cases, ComparisonTolerances()))
-        if (row.quantity.find("over the mesh cycle") != std::string::npos)
+        if (has_text(row.quantity, "over the mesh cycle"))
           std::cout << name << ", " << row.quantity.substr(25) << ": " << row.value << " against "
                     << row.reference << ", " << row.verdict() << "; "
                     << row.reason.substr(0, row.reason.find(';')) << std::endl;

@@ -133,8 +133,7 @@ namespace
             0);
     std::cout << pairs.csv_row(0).substr(0, pairs.csv_row(0).find(",nan")) << " "
               << pairs.column("verdict").texts[0] << std::endl;
-    check("in sweep.json",
-          read_text("numerical/sweep.json").find("\"error bars\"") != std::string::npos);
+    check("in sweep.json", has_text(read_text("numerical/sweep.json"), "\"error bars\""));
     show("no case", run({"--set", "Sweep/base=nowhere.prm"}));
     show("not a parameter", run({"--set", "Sweep/numerical parameters=cell"}));
     show("twice", run({"--set", "Sweep/numerical parameters=cells, cells"}));
@@ -161,15 +160,14 @@ int main()
   const Ending ending = sweep("all");
   check("failing runs do not stop the others, and are said",
         ending.exit_code == 2 &&
-          ending.text.find(
-            "vfife: 3 of 6 runs have failed; \"all/sweep.json\" states the reason") !=
-            std::string::npos);
+          has_text(ending.text,
+                   "vfife: 3 of 6 runs have failed; \"all/sweep.json\" states the reason"));
   show_table("all");
   check("runs differ",
         history("all/run_01").size() > 1000 && history("all/run_01") != history("all/run_02"));
   const std::string json = read_text("all/sweep.json");
   check("sweep.json has the failure",
-        json.find("\"message\": \"penetration exceeds the limit") != std::string::npos);
+        has_text(json, "\"message\": \"penetration exceeds the limit"));
 
   const vfife::Table table         = vfife::read_result_table("all/sweep.csv");
   const auto         numbers       = [&table](const char *name) { return table.numbers(name); };
@@ -186,7 +184,7 @@ int main()
   check_close("its error", numbers("way error")[0], numbers("way")[0] / .049 - 1, 1e-14);
   // The end of the case, met to a step.
   check_close("time [s]", numbers("time")[0], 80e-6, 1e-7);
-  check("it is in sweep.json", json.find("\"way error\"") != std::string::npos);
+  check("it is in sweep.json", has_text(json, "\"way error\""));
   const auto &order = table.numbers("way order");
   check("order between 100 and 200 1/s only",
         std::isnan(order[0]) && std::isnan(order[1]) && std::isfinite(order[2]));
@@ -196,12 +194,11 @@ int main()
               1e-9);
   check("no figures of failed runs", std::isnan(table.numbers("way")[3]));
   check("a column that does not exist is warned of",
-        ending.text.find("figure \"free end\": \"ahead displacment x\" is not a column of "
-                         "history.csv; did you mean \"ahead displacement x\"?") !=
-          std::string::npos);
+        has_text(ending.text,
+                 "figure \"free end\": \"ahead displacment x\" is not a column of "
+                 "history.csv; did you mean \"ahead displacement x\"?"));
   check("entries of all runs",
-        read_text("all/run_02/parameters.prm").find("set steps per sample       = 7") !=
-          std::string::npos);
+        has_text(read_text("all/run_02/parameters.prm"), "set steps per sample       = 7"));
   check("results beside are copied",
         read_text("all/beside/1/coupled_modes.csv") == read_text("modes/coupled_modes.csv"));
 
@@ -218,9 +215,9 @@ int main()
         history("all/run_02") == second && history("all/run_03") == third);
   const std::string log = read_text("all/run.log");
   check("is said",
-        log.find("run_01 finished: was finished before") != std::string::npos &&
-          log.find("run_02 finished\n") != std::string::npos &&
-          log.find("run_03 finished: continued from a checkpoint") != std::string::npos);
+        has_text(log, "run_01 finished: was finished before") &&
+          has_text(log, "run_02 finished\n") &&
+          has_text(log, "run_03 finished: continued from a checkpoint"));
 
   // Results of a version that did not know the bound of the assembly, which is the default now, are
   // those of another bound.
@@ -228,7 +225,7 @@ int main()
   std::istringstream lines(parameters);
   std::ofstream      older("all/run_01/parameters.prm");
   for (std::string line; std::getline(lines, line);)
-    if (line.find("set time step estimate") == std::string::npos)
+    if (!has_text(line, "set time step estimate"))
       older << line << "\n";
   older.close();
   check("of another version: goes on", sweep("all", {"--restart"}).exit_code == 2);
@@ -263,8 +260,8 @@ int main()
   show("nothing beside", sweep("list", {"--set", "Sweep/reference folders=all"}));
   // No file can have this name: there is none, as of any other that is not there.
   check("beside: a name too long for a folder",
-        sweep("list", {"--set", "Sweep/reference folders=" + std::string(300, 'x')})
-            .text.find("has neither coupled modes") != std::string::npos);
+        has_text(sweep("list", {"--set", "Sweep/reference folders=" + std::string(300, 'x')}).text,
+                 "has neither coupled modes"));
   show("nothing to vary", sweep("list", {"--set", "Sweep/parameters="}));
   numerical();
   return 0;

@@ -1,10 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // From a measured flank to machine settings by files: a pair with changed settings writes its grid,
 // the unchanged pair finds the flank from it, and the pair that it writes has that flank.
+#include "../../read_files.h"
+#include "../../refusal.h"
 #include "../../tests.h"
 #include "../quick_pair.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/base/process/mpi_session.h>
 
 #include <nlohmann/json.hpp>
@@ -60,8 +61,7 @@ int main(int argc, char **argv)
             "Flank fit/free turn=no",
             "Flank fit/threshold=1e-7",
             "Flank fit/settings=radial distance, blade angle, blank offset, ratio of roll"});
-  std::ifstream        file("found/flank_fit.json");
-  const nlohmann::json json = nlohmann::json::parse(file);
+  const nlohmann::json json = read_json("found/flank_fit.json");
   const auto value = [](const nlohmann::json &figure) { return figure.at("value").get<double>(); };
   check("far away before [um]", value(json.at("largest before")) > 20.);
   check_below("found [um]", value(json.at("largest after")), 1.);
@@ -91,8 +91,7 @@ int main(int argc, char **argv)
            {"Flank fit/member=gear",
             "Flank fit/flank=convex",
             "Flank fit/measured flank=measured/grid_gear_convex.csv"});
-  std::ifstream        same_file("same/flank_fit.json");
-  const nlohmann::json same = nlohmann::json::parse(same_file);
+  const nlohmann::json same = read_json("same/flank_fit.json");
   check_below("the gear's convex flank is there [um]", value(same.at("largest before")), 1e-6);
   check_below("and stays: radial distance [mm]",
               value(same.at("settings").at("radial distance").at("change")),
@@ -100,17 +99,11 @@ int main(int argc, char **argv)
 
   for (const char *wrong :
        {"Flank fit/settings=radial distanc", "Flank fit/measured flank=nowhere.csv"})
-    try
-      {
-        run_pair("pair.prm",
-                 "wrong",
-                 session.world(),
-                 {"Flank fit/measured flank=measured/" + grid, wrong});
-        check("refused", false);
-      }
-    catch (const InputError &error)
-      {
-        std::cout << error.what() << std::endl;
-      }
+    print_refusal([&] {
+      run_pair("pair.prm",
+               "wrong",
+               session.world(),
+               {"Flank fit/measured flank=measured/" + grid, wrong});
+    });
   return 0;
 }

@@ -2,6 +2,7 @@
 // Study kind lumped: by values with a sweep, and with inertias of a gear pair's bodies and a table;
 // lumped.json of made-up results.
 #include "../../lumped/pair.h"
+#include "../../read_files.h"
 #include "../../refusal.h"
 #include "../../tests.h"
 #include "../quick_pair.h"
@@ -19,14 +20,6 @@ using namespace vfife;
 
 namespace
 {
-  nlohmann::json read_results(const std::string &folder)
-  {
-    std::ifstream      file(folder + "/lumped.json");
-    std::ostringstream text;
-    text << file.rdbuf();
-    return nlohmann::json::parse(text.str());
-  }
-
   double number(const nlohmann::json &json, const char *part, const char *name)
   {
     return json.at(part).at(name).at("value").get<double>();
@@ -116,7 +109,7 @@ int main(int argc, char **argv)
        "subsection Lumped\n set speeds = 5\n set settling mesh cycles = 300\n"
        " set recorded mesh cycles = 5\n set report = no\nend\n";
   run_case("values.prm", "lumped_results", session.world());
-  const nlohmann::json values = read_results("lumped_results");
+  const nlohmann::json values = read_json("lumped_results/lumped.json");
   // sqrt(2.2e9/27.978)/(2 pi)
   check_close("frequency [Hz]",
               values.at("modes")[0].at("frequency [Hz]").get<double>(),
@@ -164,7 +157,7 @@ int main(int argc, char **argv)
        " set direction = 0, 1, 0\n set inertia = 9000\n"
        " set tilt stiffness = 1 MN m/rad\n end\nend\n";
   run_case("pair.prm", "lumped_results", session.world());
-  const nlohmann::json pair = read_results("lumped_results");
+  const nlohmann::json pair = read_json("lumped_results/lumped.json");
   check("three modes", pair.at("modes").size() == 3);
   check_close("mean tangent stiffness of the table [N m/rad]",
               number(pair, "model", "mesh stiffness, mean at the torque"),

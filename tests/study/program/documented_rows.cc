@@ -3,6 +3,7 @@
 // makes. The numbers are those of the pages, read from there, and have to agree within one unit of
 // their last digit; contrib/check_pages asks for such a row of every table.
 #include "../../parts.h"
+#include "../../read_files.h"
 #include "../../tests.h"
 #include "../quick_pair.h"
 
@@ -18,8 +19,6 @@ using namespace vfife;
 
 namespace
 {
-  using Columns = std::map<std::string, std::vector<double>>;
-
   const std::string element_page  = "verification/element.md",
                     dynamics_page = "verification/dynamics.md",
                     pair_page     = "verification/gear-pair.md",
@@ -56,7 +55,7 @@ namespace
     bool                     here = false;
     for (std::string line; cells.empty() && std::getline(file, line);)
       {
-        here = here || line.find(heading) != std::string::npos;
+        here = here || has_text(line, heading);
         if (!here || line.rfind("| " + beginning, 0) != 0)
           continue;
         std::istringstream row(line.substr(1));
@@ -95,14 +94,6 @@ namespace
     overrides.emplace_back("Output/report=no");
     overrides.emplace_back("Output/steps per sample=1");
     return read_columns(do_case(file, std::move(overrides), world) + "history.csv");
-  }
-
-  double largest(const std::vector<double> &values)
-  {
-    double result = 0;
-    for (const double value : values)
-      result = largest_of(result, std::abs(value));
-    return result;
   }
 
   /** Of modes.csv: the lowest frequency of a number of diameters that is no rotation [Hz]. */
@@ -177,7 +168,7 @@ namespace
     const std::string file = "prm/verification/free_spin.prm";
     auto              row  = row_of(dynamics_page, "| safety |", "polar, largest energy error");
     auto              h    = run_case(file, {"Dynamics/time step factor=0.9"}, world);
-    compare("safety 0.9 [%]", row[1], 0, 100 * largest(h["energy error"]));
+    compare("safety 0.9 [%]", row[1], 0, 100 * largest_size(h["energy error"]));
 
     row = row_of(dynamics_page, "**Frames.**", "drift of angular momentum a revolution");
     // Round-off differs between processors: only its size is stated.
@@ -221,7 +212,7 @@ namespace
                  world);
     // What the iteration of the implicit contact leaves: only its size is stated.
     check_below("  25 cells [%]",
-                100 * largest(h["energy error"]),
+                100 * largest_size(h["energy error"]),
                 10 * numbers_in(row[1]).at(0).value);
 
     row = row_of(element_page, "**Unstructured mesh**", "the same mesh by linear conventional");
@@ -285,8 +276,7 @@ namespace
     nlohmann::json summary;
     const auto     start = [&](std::vector<std::string> entries) {
       entries.insert(entries.end(), {"Dynamics/maximum number of steps=1", "Output/report=no"});
-      std::ifstream file(do_case("prm/spiral_bevel_quick.prm", entries, world) + "summary.json");
-      summary = nlohmann::json::parse(file);
+      summary = read_json(do_case("prm/spiral_bevel_quick.prm", entries, world) + "summary.json");
     };
     const auto figure = [&](const char *part, const char *name) {
       return summary.at(part).at(name).at("value").get<double>();
@@ -332,15 +322,14 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc,
-            argv,
-            {oscillator,
-             modes,
-             modes_of_curved_elements,
-             modes_in_spin,
-             spinning_block,
-             bars_and_beams,
-             loaded_pair,
-             paper_pair});
-  return 0;
+  return run_parts(argc,
+                   argv,
+                   {oscillator,
+                    modes,
+                    modes_of_curved_elements,
+                    modes_in_spin,
+                    spinning_block,
+                    bars_and_beams,
+                    loaded_pair,
+                    paper_pair});
 }

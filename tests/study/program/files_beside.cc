@@ -7,7 +7,6 @@
 
 #include <vfife/output/files/table_reader.h>
 
-#include <cmath>
 #include <filesystem>
 
 namespace
@@ -90,7 +89,7 @@ end
   /** Shows what it has said where it has not said that. */
   bool says(const Ending &ending, const std::string &words)
   {
-    const bool found = ending.text.find(words) != std::string::npos;
+    const bool found = has_text(ending.text, words);
     if (!found)
       std::cout << ending.text;
     return found;
@@ -122,8 +121,7 @@ end
     write_table("table.csv", rows);
     check("and again of the first name", run_in("case", longer).exit_code == 0);
     check("summary.json has the digests",
-          read_text("case/known/summary.json").find("\"Model/Body block/file\": \"CRC-32 ") !=
-            std::string::npos);
+          has_text(read_text("case/known/summary.json"), "\"Model/Body block/file\": \"CRC-32 "));
   }
 
   /** Cases of a comparison whose mesh is made twice as high: u = F L/(E A) at the end. */
@@ -213,7 +211,7 @@ end
           _exit(127);
         }
       while (!fs::exists("case/" + folder + "/history.csv") ||
-             read_text("case/" + folder + "/vfife.lock").find("push.prm") == std::string::npos)
+             !has_text(read_text("case/" + folder + "/vfife.lock"), "push.prm"))
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     ~Holder()
@@ -248,7 +246,7 @@ end
                         parameters = read_text("case/locked/parameters.prm");
       check("the lock says who has it",
             text.find("process " + std::to_string(holder.process()) + " on ") == 0 &&
-              text.find(", push.prm\n") != std::string::npos);
+              has_text(text, ", push.prm\n"));
       for (const char *folder : {"locked", "link", "../case/./locked"})
         {
           const Ending refused = start(folder);

@@ -167,11 +167,10 @@ int main(int argc, char **argv)
   summary = read_summary();
   check("the summary says that it has failed", summary.at("status") == "failed");
   check("and why",
-        summary.at("failure").get<std::string>().find("the equilibrium was not reached in 1") !=
-          std::string::npos);
+        has_text(summary.at("failure").get<std::string>(), "the equilibrium was not reached in 1"));
 
   check("the one before is put away",
-        read_text(folder + "/previous/summary.json").find("\"finished\"") != std::string::npos);
+        has_text(read_text(folder + "/previous/summary.json"), "\"finished\""));
 
   check("modal", run("modal", fem("modes = 4"), session.world()) == "done");
   check("modes are there", has("modes.json"));
@@ -192,8 +191,7 @@ int main(int argc, char **argv)
   check("another kind", run("linear static", quiet, session.world()) == "done");
   check("the folder has its results alone", is_of_one_study(static_files));
   check("it says so",
-        read_text(folder + "/run.log").find("results of an earlier study are moved to") !=
-          std::string::npos);
+        has_text(read_text(folder + "/run.log"), "results of an earlier study are moved to"));
   check("files of the user are where they were", has_own_files());
   check("modes, report and pictures are put away",
         has("previous/modes.json") && has("previous/report.html") &&

@@ -1,10 +1,10 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // One file for several kinds of study: sections that a kind does not read stay in it, but what is
 // misspelt in them is found. Modes at rest ask for no speed.
+#include "../../refusal.h"
 #include "../../tests.h"
 #include "../quick_pair.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/base/process/mpi_session.h>
 
 #include <filesystem>
@@ -59,22 +59,14 @@ end
     run_study(line, world, log);
     std::istringstream lines(said.str());
     for (std::string one; std::getline(lines, one);)
-      if (one.find("ignored by this kind") != std::string::npos)
+      if (has_text(one, "ignored by this kind"))
         return one;
     return "all sections are read";
   }
 
   void refuse(const std::string &text, Communicator &world)
   {
-    try
-      {
-        do_study(text, world);
-        check("refused", false);
-      }
-    catch (const InputError &error)
-      {
-        std::cout << error.what() << std::endl;
-      }
+    print_refusal([&] { do_study(text, world); });
   }
 
   std::string replaced(std::string text, const std::string &what, const std::string &by)

@@ -2,6 +2,7 @@
 // Entries of a pair that files hardly ever set (material, export, spin of a loaded contact, the
 // benchmark), and the numbers that a run writes of itself, on meshes as coarse as they go.
 #include "../../parts.h"
+#include "../../read_files.h"
 #include "../../tests.h"
 #include "../quick_pair.h"
 
@@ -35,12 +36,6 @@ namespace
     std::filesystem::remove_all(name);
     std::ofstream(name + ".prm") << text;
     run_pair(name + ".prm", name, world);
-  }
-
-  nlohmann::json read_json(const std::string &path)
-  {
-    std::ifstream file(path);
-    return nlohmann::json::parse(file);
   }
 
   void meshes(Communicator &world)
@@ -173,7 +168,7 @@ subsection Benchmark
       while (std::getline(log, line))
         text += line + "\n";
       check("cells: elements and nodes of the general mesh",
-            text.find("general mesh: 27, 64\n") != std::string::npos);
+            has_text(text, "general mesh: 27, 64\n"));
       const std::size_t at = text.find("contact of the pair closed by ");
       return at == std::string::npos ? "" : text.substr(at);
     };
@@ -182,8 +177,7 @@ subsection Benchmark
       return std::stod(text.substr(text.find(": ") + 2));
     };
     check("closing: is the one that was asked for",
-          wide.find("closed by 40 um: ") != std::string::npos &&
-            narrow.find("closed by 20 um: ") != std::string::npos);
+          has_text(wide, "closed by 40 um: ") && has_text(narrow, "closed by 20 um: "));
     check("closing: deeper flanks touch more widely",
           area(narrow) > 0 && area(wide) > 1.2 * area(narrow));
     const Table table = read_result_table("pair_benchmark/contact_cost.csv");
@@ -342,6 +336,5 @@ subsection Benchmark
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {meshes, penalties, spin, benchmark, figures});
-  return 0;
+  return run_parts(argc, argv, {meshes, penalties, spin, benchmark, figures});
 }

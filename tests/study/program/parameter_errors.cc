@@ -12,7 +12,6 @@
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/study/study.h>
 
-#include <array>
 #include <fstream>
 #include <sstream>
 

@@ -5,6 +5,7 @@
 // - one that reads what another case leaves names it below its folder of results, which is the
 //   output folder of a file of prm/; where those results are missing, that is what is said.
 #include "../../parts.h"
+#include "../../read_files.h"
 #include "../../tests.h"
 #include "../quick_pair.h"
 
@@ -24,7 +25,7 @@ namespace
 
     bool has(const std::string &part) const
     {
-      return text.find(part) != std::string::npos;
+      return has_text(text, part);
     }
   };
 
@@ -34,10 +35,7 @@ namespace
     for (const auto &entry : fs::recursive_directory_iterator(tree_folder() + "/prm"))
       if (entry.path().extension() == ".prm")
         {
-          std::ifstream      file(entry.path());
-          std::ostringstream text;
-          text << file.rdbuf();
-          files.push_back({entry.path().lexically_normal().string(), text.str()});
+          files.push_back({entry.path().lexically_normal().string(), read_text(entry.path())});
         }
     std::sort(files.begin(), files.end(), [](const ShippedFile &a, const ShippedFile &b) {
       return a.path < b.path;
@@ -68,7 +66,7 @@ namespace
     for (std::sregex_iterator named(file.text.begin(), file.text.end(), folder), none;
          named != none;
          ++named)
-      if (fault.find(named->str()) != std::string::npos &&
+      if (has_text(fault, named->str()) &&
           std::any_of(files.begin(), files.end(), [&](const ShippedFile &other) {
             return other.path != file.path &&
                    std::regex_search(other.text,
@@ -116,6 +114,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {check_files});
-  return 0;
+  return run_parts(argc, argv, {check_files});
 }

@@ -221,13 +221,12 @@ namespace
     const std::string wide     = setup.find_wide_steps(19);
     check("1064 rpm apart: said",
           wide.find("the speeds are 1064 rpm apart") == 0 &&
-            wide.find("502.6 rpm with mesh order 1") != std::string::npos &&
-            wide.find("Reduced/speeds = 46") != std::string::npos);
+            has_text(wide, "502.6 rpm with mesh order 1") && has_text(wide, "Reduced/speeds = 46"));
     setup.speeds.n_speeds = 46;
     check("46 speeds: nothing is said", setup.find_wide_steps(19).empty());
     setup.damping = 0;
     check("no damping, no width",
-          setup.find_wide_steps(19).find("without damping, which is zero") != std::string::npos);
+          has_text(setup.find_wide_steps(19), "without damping, which is zero"));
   }
 
   /** Of an error of 3 cos(2 p) + 0.5 cos(8 p) + 2 cos(12 p) arcsec over the phase p of the mesh. */
@@ -256,9 +255,8 @@ namespace
     // Half of 60 kHz is the tenth order of 3 kHz, half of 75 kHz lies beyond the twelfth.
     const auto near = told(60e3);
     check("above half the cut-off: said",
-          near.first.find("mesh order 12 (36000 Hz at 9450 rpm) has 4 arcsec") !=
-              std::string::npos &&
-            near.first.find("Reduced/cutoff frequency = 108 kHz") != std::string::npos);
+          has_text(near.first, "mesh order 12 (36000 Hz at 9450 rpm) has 4 arcsec") &&
+            has_text(near.first, "Reduced/cutoff frequency = 108 kHz"));
     check("and among the figures",
           near.second.size() == 2 && near.second[0].second.value == 12 &&
             std::abs(near.second[1].second.value - 4) < 1e-12);

@@ -8,7 +8,6 @@
 #include "../quick_pair.h"
 
 #include <vfife/base/complex.h>
-#include <vfife/model/body_frame.h>
 #include <vfife/study/stress_waves/stress_wave_places.h>
 
 #include <cmath>
@@ -141,6 +140,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {amplitudes, largest, refusals});
-  return 0;
+  return run_parts(argc, argv, {amplitudes, largest, refusals});
 }

@@ -1,13 +1,12 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Fits of resonance curves and build-ups against what they were made of.
+#include "../../refusal.h"
 #include "../../tests.h"
 
 #include <vfife/base/complex.h>
 #include <vfife/base/errors.h>
 #include <vfife/base/types.h>
 #include <vfife/study/waves/wave_fits.h>
-
-#include <algorithm>
 
 using namespace vfife;
 
@@ -106,26 +105,14 @@ namespace
     check("another sample leaves a residual", fit_build_up(samples, interval).residual > 1e-2);
   }
 
-  template <typename Act>
-  void print_failure(const Act &act)
-  {
-    try
-      {
-        act();
-        check("accepted", false);
-      }
-    catch (const NumericalError &error)
-      {
-        std::cout << error.what() << std::endl;
-      }
-  }
-
   void refusals()
   {
-    print_failure([] { fit_resonance({1., 2.}, {1., 1.}); });
-    print_failure([] { fit_resonance({1., 2., 3., 4.}, {1., 1., 2., 1.}, {Complex(2., 1.)}); });
-    print_failure([] { fit_build_up({1., 2., 3., 4., 5., 6., 7.}, 1.); });
-    print_failure([] { fit_line({1.}, {1.}); });
+    print_refusal<NumericalError>([] { fit_resonance({1., 2.}, {1., 1.}); });
+    print_refusal<NumericalError>([] {
+      fit_resonance({1., 2., 3., 4.}, {1., 1., 2., 1.}, {Complex(2., 1.)});
+    });
+    print_refusal<NumericalError>([] { fit_build_up({1., 2., 3., 4., 5., 6., 7.}, 1.); });
+    print_refusal<NumericalError>([] { fit_line({1.}, {1.}); });
   }
 } // namespace
 

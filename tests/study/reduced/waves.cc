@@ -2,6 +2,7 @@
 // Study kind `waves` on the coarsest pair: prediction, a wave driven on its line and around it by
 // the reduced pair and by runs, what is refused.
 #include "../../parts.h"
+#include "../../read_files.h"
 #include "../../refusal.h"
 #include "../../tests.h"
 #include "../few_teeth.h"
@@ -11,14 +12,11 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
-#include <sstream>
 
 using namespace vfife;
 
 namespace
 {
-  using Columns = std::map<std::string, std::vector<double>>;
-
   void write_file(const std::string &name, const std::string &pair)
   {
     std::ofstream(name) << pair << R"(
@@ -81,15 +79,13 @@ end
     for (const double speed : read_columns("predicted/waves_in_contact.csv").at("speed"))
       distance = std::min(distance, 100 * std::abs(speed / 10000 - 1));
     check_close("distance to the nearest resonance [%]", figures[2].second.value, distance, .1);
-    std::ifstream file("predicted/summary.json");
-    const auto    summary = nlohmann::json::parse(file);
-    const double  named =
+    const auto   summary = read_json("predicted/summary.json");
+    const double named =
       summary.at("figures").at("speed of the nearest wave").at("value").get<double>();
     check_close("as the speed in the summary", 100 * std::abs(named / 10000 - 1), distance, .1);
     check("and its words",
-          summary.at("nearest wave")
-              .get<std::string>()
-              .find(std::to_string(std::lround(named)) + " rpm, ") != std::string::npos);
+          has_text(summary.at("nearest wave").get<std::string>(),
+                   std::to_string(std::lround(named)) + " rpm, "));
     for (std::size_t k = 0; k < 2; ++k)
       {
         // Against the spin 79 + 4 times the gear's speed, with it 79 - 4 times.
@@ -313,8 +309,7 @@ end
     check_fillets(lines, stress, world);
     check("the wave grows", growth.at("amplitude")[0] < .5 * growth.at("amplitude")[20]);
     check_below("energy", waves.at("energy error")[2], 1e-2);
-    std::ifstream file("driven/summary.json");
-    check("summary", nlohmann::json::parse(file).at("status") == "finished");
+    check("summary", read_json("driven/summary.json").at("status") == "finished");
     const Columns avoided = read_columns("driven/speeds_to_avoid.csv");
     const double  peak    = lines.at("peak speed")[0];
     check("the speed is to be avoided, with margins",
@@ -438,13 +433,10 @@ end
     check("the other one goes on to its end", fs::exists(lost));
     check("with the same results",
           read_columns("runs/waves_response.csv").at("amplitude") == before.at("amplitude"));
-    std::ifstream     file("runs/run.log");
-    std::stringstream log;
-    log << file.rdbuf();
+    const std::string log = read_text("runs/run.log");
     check("one was finished, one has gone on from its checkpoint",
-          log.str().find("line_1_speed_1 finished: was finished before") != std::string::npos &&
-            log.str().find("line_1_speed_2 finished: continued from a checkpoint") !=
-              std::string::npos);
+          has_text(log, "line_1_speed_1 finished: was finished before") &&
+            has_text(log, "line_1_speed_2 finished: continued from a checkpoint"));
   }
 
   void refusals(Communicator &world)

@@ -8,9 +8,6 @@
 
 #include <vfife/base/process/mpi_session.h>
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
 
 using namespace vfife;
 
@@ -46,19 +43,6 @@ namespace
     return curve;
   }
 
-  double largest_distance(const Curve &one, const Curve &two)
-  {
-    double largest = 0;
-    for (std::size_t i = 0; i < one.size(); ++i)
-      largest = largest_of(largest, std::abs(one[i] - two[i]));
-    return largest;
-  }
-
-  double mean_of(const Curve &curve)
-  {
-    return std::accumulate(curve.begin(), curve.end(), 0.) / curve.size();
-  }
-
   /** Of the first sample of a history, in which the pair stands as at the start [arcsec]. */
   double start_of(const std::string              &file,
                   const std::string              &folder,
@@ -85,8 +69,10 @@ int main(int argc, char **argv)
                               world);
   check("positions", grid.size() == 3 && springs.size() == 3);
   // At 16 positions at most 0.25 and 0.09 rms; here less.
-  check_below("springs of the points less own grid [arcsec]", largest_distance(springs, grid), .15);
-  check("one penalty is elsewhere", largest_distance(given, grid) > 2.);
+  check_below("springs of the points less own grid [arcsec]",
+              largest_difference(springs, grid),
+              .15);
+  check("one penalty is elsewhere", largest_difference(given, grid) > 2.);
   // Motions start with the deformation that stands still in space, which changes them by 0.3.
   const std::string own_elements = "Contact/penalty elements=as the run";
   const double      of_run =

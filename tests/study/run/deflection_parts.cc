@@ -411,6 +411,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {parts, rim_bending, supports, patch, swing, penalty_lag});
-  return 0;
+  return run_parts(argc, argv, {parts, rim_bending, supports, patch, swing, penalty_lag});
 }

@@ -2,10 +2,10 @@
 // A gear whose teeth 20 to 70 have 10 um more metal on both flanks than the others: where these
 // carry, the loaded contact analysis and a run of the coarse pair have the transmission error of
 // the gear without errors and F/r of the turned teeth.
+#include "../../refusal.h"
 #include "../../tests.h"
 #include "../quick_pair.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/base/types.h>
 
@@ -37,8 +37,7 @@ namespace
            "   end\n  end\nend\n";
   }
 
-  std::map<std::string, std::vector<double>>
-  analyse(const unsigned int end, const unsigned int mesh, Communicator &world)
+  Columns analyse(const unsigned int end, const unsigned int mesh, Communicator &world)
   {
     std::filesystem::remove_all("loaded_errors");
     std::ofstream("loaded_errors.prm")
@@ -100,18 +99,12 @@ int main(int argc, char **argv)
   loaded_contact(session.world());
   run(session.world());
   for (const char *surface : {"smooth patches", "flat facets"})
-    try
-      {
-        std::ofstream("refused.prm") << pair_text(20, 71);
-        run_pair("refused.prm",
-                 "refused",
-                 session.world(),
-                 {std::string("Contact/surface=") + surface});
-        check("refused", false);
-      }
-    catch (const InputError &error)
-      {
-        std::cout << error.entry() << ": " << error.what() << std::endl;
-      }
+    print_refused_entry([&] {
+      std::ofstream("refused.prm") << pair_text(20, 71);
+      run_pair("refused.prm",
+               "refused",
+               session.world(),
+               {std::string("Contact/surface=") + surface});
+    });
   return 0;
 }

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // From a parameter file to results: one mesh cycle of a coarse pair with a conical web.
+#include "../../read_files.h"
 #include "../../tests.h"
 #include "../quick_pair.h"
 
@@ -21,8 +22,6 @@ using namespace vfife;
 
 namespace
 {
-  using Columns = std::map<std::string, std::vector<double>>;
-
   /** The driver's turn is prescribed, and both angles make up the transmission error. */
   void angles(Columns &columns)
   {
@@ -158,10 +157,7 @@ int main(int argc, char **argv)
   for (const char *file : {"parameters.prm", "run.log", "history.csv", "teeth.csv", "summary.json"})
     check(std::string(file) + " is written",
           std::filesystem::exists(std::string("gear_pair_results/") + file));
-  std::ifstream      file("gear_pair_results/summary.json");
-  std::ostringstream text;
-  text << file.rdbuf();
-  const nlohmann::json summary = nlohmann::json::parse(text.str());
+  const nlohmann::json summary = read_json("gear_pair_results/summary.json");
   check("the run is complete", summary.at("status") == "finished");
 
   auto columns = read_columns("gear_pair_results/history.csv");

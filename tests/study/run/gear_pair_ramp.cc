@@ -2,6 +2,7 @@
 // A coarse pair without web on a rigid hub whose torque grows from nothing: flanks that just touch,
 // the balance of angular momentum, and a run that ends after a number of steps.
 #include "../../dynamics/one_solver.h"
+#include "../../read_files.h"
 #include "../../tests.h"
 #include "../quick_pair.h"
 
@@ -23,12 +24,6 @@ using namespace vfife;
 
 namespace
 {
-  nlohmann::json read_summary(const std::string &folder)
-  {
-    std::ifstream file(folder + "/summary.json");
-    return nlohmann::json::parse(file);
-  }
-
   double figure(const nlohmann::json &summary, const std::string &name)
   {
     return summary.at("figures").at(name).at("value").get<double>();
@@ -105,7 +100,7 @@ int main(int argc, char **argv)
   auto        columns = read_columns("ramp_results/history.csv");
   const auto &time = columns["time"], &angle = columns["gear angle"],
              &torque       = columns["contact torque on the gear"];
-  const auto   summary     = read_summary("ramp_results");
+  const auto   summary     = read_json("ramp_results/summary.json");
   const double mesh_period = 1. / figure(summary, "mesh frequency");
   // A thousandth of 800 N m, found to 1e-5 of all forces: the centrifugal ones are some 10^2 of the
   // contact's at full load.
@@ -135,7 +130,7 @@ int main(int argc, char **argv)
   std::ofstream("part.prm") << "include ramp.prm\nsubsection Dynamics\n"
                                "  set maximum number of steps = 100\nend\n";
   run_pair("part.prm", "part_results", session.world());
-  const auto part = read_summary("part_results");
+  const auto part = read_json("part_results/summary.json");
   check("a part of the run is a finished run",
         part.at("status") == "finished" && part.at("run").at("steps") == 100);
   check("too short for a steady part", !part.at("steady part").at("found").get<bool>());

@@ -62,7 +62,6 @@ int main(int argc, char **argv)
     check(std::string(section) + ": same", whole.at(section) == parts.at(section));
   const std::string log   = read_text("parts/run.log");
   const std::string start = "equilibrium before the start";
-  check("one equilibrium",
-        log.find(start) != std::string::npos && log.find(start) == log.rfind(start));
+  check("one equilibrium", has_text(log, start) && log.find(start) == log.rfind(start));
   return 0;
 }

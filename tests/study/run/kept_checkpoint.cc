@@ -2,12 +2,12 @@
 // Runs go on from checkpoints of other versions of the program: from one that is kept beside this
 // test (kept_checkpoint/model.prm says how it was written), and from ones that know other entries
 // and other parts than this version does.
+#include "../../refusal.h"
 #include "../../tests.h"
 #include "../forged_checkpoint.h"
 #include "../history_difference.h"
 #include "../quick_pair.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/base/text/byte_stream.h>
 
@@ -28,25 +28,11 @@ namespace
                     Communicator                   &communicator,
                     const bool                      restart = true)
   {
-    CommandLine line;
-    line.parameter_file = kept_folder + "model.prm";
-    line.output_folder  = folder;
-    line.overrides      = overrides;
-    line.restart        = restart;
-    std::ostringstream nothing;
-    Log                log(nothing, communicator.is_root(), Verbosity::quiet);
-    try
-      {
-        run_study(line, communicator, log);
-      }
-    catch (const InputError &error)
-      {
-        std::string message = error.what();
-        for (std::size_t at; (at = message.find(kept_folder)) != std::string::npos;)
-          message.erase(at, kept_folder.size());
-        return message;
-      }
-    return read_text(folder + "/run.log");
+    std::string message = message_of(
+      [&] { run_case(kept_folder + "model.prm", folder, communicator, overrides, restart); });
+    for (std::size_t at; (at = message.find(kept_folder)) != std::string::npos;)
+      message.erase(at, kept_folder.size());
+    return message.empty() ? read_text(folder + "/run.log") : message;
   }
 
   /** The first part of a checkpoint: who wrote it, and its entries. */
@@ -120,7 +106,7 @@ namespace
   {
     std::istringstream in(text);
     for (std::string line; std::getline(in, line);)
-      if (line.find(words) != std::string::npos)
+      if (has_text(line, words))
         return line;
     return "no line with \"" + words + "\"";
   }
@@ -131,7 +117,7 @@ namespace
     forge_entries("kept");
     const std::string said = go_on("kept", {}, world);
     check("the kept checkpoint is of a step on the way",
-          line_with(said, "continues from").find(", step 150") != std::string::npos);
+          has_text(line_with(said, "continues from"), ", step 150"));
     const Table whole = read_result_table("whole/history.csv"),
                 parts = read_result_table("kept/history.csv");
     // From the sample after the checkpoint on: earlier ones are those that it holds.

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Which copy of node A a run of a gear pair records: that whose passage has its peak in the record,
 // by the static curve of conventional finite elements; on any number of ranks; kept by a restart.
+#include "../../read_files.h"
 #include "../../tests.h"
 #include "../quick_pair.h"
 
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <set>
 
 using namespace vfife;
 
@@ -32,19 +32,13 @@ namespace
 
   nlohmann::json read_probe(const std::string &folder, const std::string &probe)
   {
-    std::ifstream file(folder + "/summary.json");
-    return nlohmann::json::parse(file).at("probes").at(probe);
-  }
-
-  double number(const nlohmann::json &probe, const std::string &name)
-  {
-    return probe.at(name).at("value").get<double>();
+    return read_json(folder + "/summary.json").at("probes").at(probe);
   }
 
   /** After the start [mesh cycles]. */
   double passage(const std::string &folder, const std::string &probe)
   {
-    return number(read_probe(folder, probe), "passes the mesh") * mesh_frequency;
+    return value_of(read_probe(folder, probe), "passes the mesh") * mesh_frequency;
   }
 
   /** Stresses of a probe of a table, by its times or places. */
@@ -102,7 +96,7 @@ namespace
                 0.01);
     // Over the run the swing on the mesh is added, and what the record says is what it has.
     check_close(probe + ": the summary's largest of the record",
-                number(found, "largest of the record") / largest_in(record),
+                value_of(found, "largest of the record") / largest_in(record),
                 1.,
                 1e-9);
     check(probe + ": the record has the peak", found.at("the record has the peak").get<bool>());
@@ -110,11 +104,11 @@ namespace
     // After one step the copies are still in the equilibrium of the start; the peak is flat.
     const auto start = read_probe("passage_start", probe);
     check_close(probe + ": the summary's largest of a turn over the static one",
-                number(start, "largest per revolution") / largest,
+                value_of(start, "largest per revolution") / largest,
                 1.,
                 0.01);
     check_close(probe + ": the static stress where the summary puts it",
-                nearest(loaded, number(start, "position after the mean contact")) / largest,
+                nearest(loaded, value_of(start, "position after the mean contact")) / largest,
                 1.,
                 0.01);
     check(probe + ": one step has no peak", !start.at("the record has the peak").get<bool>());
@@ -162,11 +156,8 @@ namespace
         check(probe + ", ramp: one step shows no peak",
               !read_probe("passage_ramp", probe).at("the record has the peak").get<bool>());
       }
-    std::ifstream     file("passage_ramp/run.log");
-    std::stringstream log;
-    log << file.rdbuf();
     check("ramp: the log says when",
-          log.str().find("node A back: passes the contact after") != std::string::npos);
+          has_text(read_text("passage_ramp/run.log"), "node A back: passes the contact after"));
   }
 
   /** The same sectors on one rank and on two. */

@@ -90,8 +90,7 @@ namespace
     check("to the end", run_program(command("parts", {"--restart"})).exit_code == 0);
     check("three parts have the digits of one run", same_files("whole", "parts"));
     const std::string log = read_text("parts/run.log");
-    check("the log has all parts",
-          log.find("step 57") != std::string::npos && log.find("step 131") != std::string::npos);
+    check("the log has all parts", has_text(log, "step 57") && has_text(log, "step 131"));
   }
 
   void resume_after_signals()
@@ -105,9 +104,8 @@ namespace
     ending = run_program(command("stopped"), when_written("stopped", third), SIGTERM);
     check("stopped: exit code", ending.exit_code == 3);
     check("stopped: message",
-          ending.text.find("\nvfife: stopped on request at time ") != std::string::npos &&
-            ending.text.find("after a checkpoint; to continue: vfife --restart \"stopped\"") !=
-              std::string::npos);
+          has_text(ending.text, "\nvfife: stopped on request at time ") &&
+            has_text(ending.text, "after a checkpoint; to continue: vfife --restart \"stopped\""));
     check("goes on", run_program(command("stopped", {"--restart"})).exit_code == 0);
     check("after a signal: the same digits", same_files("whole", "stopped"));
 
@@ -123,17 +121,17 @@ namespace
   void stop_in_equilibrium()
   {
     const auto begun = [] {
-      return read_text("early/run.log").find("equilibrium before the start") != std::string::npos;
+      return has_text(read_text("early/run.log"), "equilibrium before the start");
     };
     const std::string pair = tree_folder() + "/prm/spiral_bevel_quick.prm";
     const Ending      ending =
       run_program({program, pair, "-o", "early", "--set", quick_penalty}, begun, SIGINT);
     check("stopped in the equilibrium: ended by the signal", ending.exit_code == -1);
-    check("stopped in the equilibrium: message",
-          ending.text.find(
-            "\nvfife: stopped before the first step or between runs; no checkpoint exists\n") !=
-              std::string::npos &&
-            !fs::exists("early/checkpoint.bin"));
+    check(
+      "stopped in the equilibrium: message",
+      has_text(ending.text,
+               "\nvfife: stopped before the first step or between runs; no checkpoint exists\n") &&
+        !fs::exists("early/checkpoint.bin"));
   }
 
   /** Half of the run on one rank, the rest on two. */
@@ -148,9 +146,7 @@ namespace
                           vfife::read_result_table("ranks/history.csv"),
                           vfife::read_result_table("whole/history.csv"),
                           {200., 2.5, 2 * 100 * 5 * 5 * 7.85e-9});
-    check("it is said",
-          read_text("ranks/run.log").find("written by another number of ranks") !=
-            std::string::npos);
+    check("it is said", has_text(read_text("ranks/run.log"), "written by another number of ranks"));
   }
 
   void refuse_others()
@@ -168,8 +164,8 @@ namespace
     check("damaged: the one before", ending.exit_code == 0 && same_files("whole", "killed"));
     const std::string log = read_text("killed/run.log");
     check("damaged: is said",
-          log.find("the program uses the previous checkpoint") != std::string::npos &&
-            log.find("continues from \"killed/checkpoint.previous.bin\"") != std::string::npos);
+          has_text(log, "the program uses the previous checkpoint") &&
+            has_text(log, "continues from \"killed/checkpoint.previous.bin\""));
     for (const char *name : {"checkpoint.bin", "checkpoint.previous.bin"})
       {
         std::fstream file(std::string("parts/") + name, std::ios::in | std::ios::out);
@@ -225,8 +221,8 @@ namespace
     const Ending ending = run_program(command("given_up", {"--set", "Dynamics/energy limit=1e-6"}));
     check("energy limit: exit code, message, summary",
           ending.exit_code == 2 &&
-            ending.text.find("and grows: the integration is unstable") != std::string::npos &&
-            read_text("given_up/summary.json").find("\"failed\"") != std::string::npos);
+            has_text(ending.text, "and grows: the integration is unstable") &&
+            has_text(read_text("given_up/summary.json"), "\"failed\""));
   }
 
   void report_full_disk()

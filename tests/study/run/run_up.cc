@@ -34,7 +34,7 @@ namespace
     return 6 * (20000 * time + 2e6 * (ramp * ramp / 2 + 2e-4 * after));
   }
 
-  void check_history(const std::map<std::string, std::vector<double>> &history)
+  void check_history(const Columns &history)
   {
     const auto &time  = history.at("time");
     double      angle = 0, speed = 0, mesh = 0, interval = 0;

@@ -7,18 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 using namespace vfife;
 using namespace shaft_pair;
 
 namespace
 {
-  double mean(const std::vector<double> &values)
-  {
-    return std::accumulate(values.begin(), values.end(), 0.) / values.size();
-  }
-
   std::string on_shafts()
   {
     return pair_on_shafts("", Laws(), many_teeth());
@@ -104,7 +98,7 @@ namespace
     const auto run    = read_columns("slow_run/history.csv");
     const auto loaded = read_columns("slow_loaded/loaded_contact.csv");
     check_close("slow run: mean transmission error over that of the analysis",
-                mean(run.at("dte")) / mean(loaded.at("transmission error")),
+                mean_of(run.at("dte")) / mean_of(loaded.at("transmission error")),
                 1.,
                 .01);
     const auto of_run = mean_forces("slow_run"), of_analysis = mean_forces("slow_loaded");
@@ -122,7 +116,7 @@ namespace
                expected = read_columns("slow_loaded/misalignment.csv");
     for (const char *c : {"offset", "pinion axial shift", "gear axial shift", "shaft angle error"})
       check_close(std::string("slow run: mean ") + c + " over the analysis'",
-                  mean(moved.at(c)) / mean(expected.at(c)),
+                  mean_of(moved.at(c)) / mean_of(expected.at(c)),
                   1.,
                   .01);
   }

@@ -61,9 +61,6 @@ namespace vfife
     /** Seconds spent in a section of this rank, without sections nested in it. */
     double seconds(unsigned int section) const;
 
-    /** How often a section has been opened on this rank. */
-    unsigned long long calls(unsigned int section) const;
-
     /** Seconds since construction. */
     double total() const;
 

@@ -12,7 +12,6 @@
 #include <array>
 #include <functional>
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -39,8 +38,6 @@ namespace vfife
                   const Communicator &communicator,
                   double              safety);
     ~ContactSystem();
-
-    bool empty() const;
 
     /**
      * Largest stable step [s] when elements alone allow @p element_step (safety included): the

@@ -2,9 +2,9 @@
 #ifndef vfife_dynamics_motion_nodal_update_h
 #define vfife_dynamics_motion_nodal_update_h
 
+#include <vfife/dynamics/motion/update_kernels.h>
 #include <vfife/dynamics/rigid_velocity.h>
 #include <vfife/dynamics/update_sums.h>
-#include <vfife/element/kernels/kernels.h>
 
 #include <cstddef>
 
@@ -44,38 +44,19 @@ namespace vfife
   /**
    * Central differences for nodes [first, last):
    *   v_+ = ((1 - a) v_- + dt (f/m - slip) + 2 a u)/(1 + a),  a = zeta dt/2,  x += dt v_+,
-   * which centres the damping force at the old time. Records of the NodeFields of a State; mass
-   * and inverse mass of constrained nodes are zero there, so that they add nothing; whoever
-   * constrains them sets them afterwards.
-   * @p owned: 1 where a node counts in the sums. Instruction sets differ by round-off.
-   * New positions and velocities may go where the old ones are, or elsewhere. @p motion, unless it
-   * is nullptr, gets the sums of the nodes that count added: each node is at hand here.
+   * which centres the damping force at the old time. Mass and inverse mass of constrained nodes are
+   * zero in the records, so that they add nothing; whoever constrains them sets them afterwards.
+   * Instruction sets differ by round-off. @p motion, unless it is nullptr, gets the sums of the
+   * nodes that count added: each node is at hand here.
    */
-  UpdateSums update_nodes(std::size_t          first,
-                          std::size_t          last,
-                          double               dt,
-                          const BodyDamping   &damping,
-                          const UpdateAxis    &axis,
-                          const unsigned char *owned,
-                          const double        *forces,
-                          const double        *old_positions,
-                          const double        *old_velocities,
-                          double              *positions,
-                          double              *velocities,
-                          NodalMotion         *motion,
-                          InstructionSet       instruction_set = best_instruction_set());
-
-  /** The same in place. */
-  UpdateSums update_nodes(std::size_t          first,
-                          std::size_t          last,
-                          double               dt,
-                          const BodyDamping   &damping,
-                          const UpdateAxis    &axis,
-                          const unsigned char *owned,
-                          const double        *forces,
-                          double              *positions,
-                          double              *velocities,
-                          InstructionSet       instruction_set = best_instruction_set());
+  UpdateSums update_nodes(std::size_t        first,
+                          std::size_t        last,
+                          double             dt,
+                          const BodyDamping &damping,
+                          const UpdateAxis  &axis,
+                          const NodeRecords &records,
+                          NodalMotion       *motion          = nullptr,
+                          InstructionSet     instruction_set = best_instruction_set());
 } // namespace vfife
 
 #endif

@@ -51,16 +51,20 @@ namespace vfife
     n_measured_sums             = 32
   };
 
-  /** Updates nodes [@p first, @p last) and adds to @p sums; arrays as in update_nodes(). */
+  /** Records of the NodeFields of a State. New positions and velocities may go where the old ones
+   * are, or elsewhere. */
+  struct NodeRecords
+  {
+    const unsigned char *owned; ///< 1 where a node counts in the sums
+    const double        *forces, *old_positions, *old_velocities;
+    double              *positions, *velocities;
+  };
+
+  /** Updates nodes [@p first, @p last) and adds to @p sums. */
   using UpdateFunction = void(const UpdateCoefficients &coefficients,
                               std::size_t               first,
                               std::size_t               last,
-                              const unsigned char      *owned,
-                              const double             *forces,
-                              const double             *old_positions,
-                              const double             *old_velocities,
-                              double                   *positions,
-                              double                   *velocities,
+                              NodeRecords               records,
                               double                   *sums);
   using UpdateKernel   = UpdateFunction *;
 } // namespace vfife

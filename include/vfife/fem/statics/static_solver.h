@@ -69,9 +69,6 @@ namespace vfife
      * stable. */
     StaticResult solve(const StaticLoads &loads) const;
 
-    /** See the function of this name. */
-    std::vector<Stress> compute_node_stresses(const StaticResult &result) const;
-
   private:
     /** K u less what acts on the bodies, of all points [N]; adds up the strain energy [mJ]. */
     std::vector<double>  balance(const SystemMatrices      &matrices,

@@ -60,8 +60,6 @@ namespace vfife
     }
     /** The same shift seen from axes that are turned by @p angle about z [rad]. */
     FlankShift seen_turned(double angle) const;
-
-    FlankShift &operator+=(const FlankShift &other);
   };
 
   /** How far a flank lies out of the metal from the generated one, along its normal. */

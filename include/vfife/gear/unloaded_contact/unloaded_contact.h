@@ -102,9 +102,6 @@ namespace vfife
     /** The border of a flank beyond or nearest to which a contact lies. */
     PairBorder nearest_border(const UnloadedContactPoint &point) const;
 
-    /** Length of path_range() in pitches. */
-    double contact_ratio() const;
-
   private:
     bool find(double rot1, int pair, UnloadedContactPoint &point) const;
     bool is_inside(const UnloadedContactPoint &point) const;

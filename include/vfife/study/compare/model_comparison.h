@@ -8,8 +8,8 @@
 namespace vfife
 {
   /**
-   * Rows of general models: those of compare_statics(), and lines of the probes of a `run` against
-   * the frequencies of `modal`, as far as these are among the cases
+   * Rows of general models: the probes at rest or in steady spin, and their lines in a `run`
+   * against the frequencies of `modal`, as far as these are among the cases
    * (doc/reference/sweep-and-compare.md). Throws InputError where results cannot be read.
    */
   ComparisonRows compare_models(const ComparedCases &cases, const ComparisonTolerances &tolerances);

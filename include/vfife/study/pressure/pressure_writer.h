@@ -9,7 +9,6 @@
 #include <vfife/output/files/csv_stream.h>
 #include <vfife/study/pressure/pressure_tables.h>
 
-#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>

@@ -4,7 +4,6 @@
 
 #include <vfife/base/text/table.h>
 
-#include <string>
 #include <vector>
 
 namespace vfife

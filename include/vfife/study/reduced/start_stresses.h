@@ -4,8 +4,6 @@
 
 #include <vfife/output/files/figures.h>
 
-#include <vector>
-
 namespace vfife
 {
   class Communicator;

@@ -10,7 +10,6 @@
 #include <vfife/study/run/run_observers.h>
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 

@@ -6,6 +6,12 @@
 #include <vfife/output/observers/sampled_table.h>
 #include <vfife/study/stress_waves/stress_wave_places.h>
 
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace vfife
 {
   /** A wave of stress at a probe: number of nodal diameters, what StressWavePlaces finds. */
@@ -36,11 +42,28 @@ namespace vfife
   SampleColumns<ProbeWaveSample>  list_probe_wave_columns();
   SampleColumns<FilletWaveSample> list_fillet_wave_columns();
 
-  /** A sampled table at the start and over the last mesh cycle of a run alone. */
-  template <typename Sample>
+  /** A sampled table of waves at the start and over the last mesh cycle of a run alone. */
+  template <typename Sample, typename Measure>
   class LastMeshTable : public SampledTable<Sample>
   {
   public:
+    /** The last mesh cycle begins at @p last_mesh [s]; @p places must outlive the object. */
+    LastMeshTable(const OutputFolder              &folder,
+                  const std::string               &name,
+                  const SampleColumns<Sample>     &columns,
+                  const std::uint64_t              steps_between,
+                  const double                     last_mesh,
+                  const std::vector<unsigned int> &diameters,
+                  const StressWavePlaces          &places,
+                  Measure                          measure)
+      : SampledTable<Sample>(folder, name, columns, steps_between)
+      , diameters_(diameters)
+      , places_(places)
+      , measure_(std::move(measure))
+      , last_mesh_(last_mesh)
+    {
+    }
+
     bool due(const State &state) const override
     {
       return SampledTable<Sample>::due(state) &&
@@ -48,59 +71,43 @@ namespace vfife
     }
 
   protected:
-    LastMeshTable(const OutputFolder          &folder,
-                  const std::string           &name,
-                  const SampleColumns<Sample> &columns,
-                  const std::uint64_t          steps_between,
-                  const double                 last_mesh)
-      : SampledTable<Sample>(folder, name, columns, steps_between)
-      , last_mesh_(last_mesh)
-    {
-    }
+    std::vector<unsigned int> diameters_;
+    const StressWavePlaces   &places_;
+    Measure                   measure_;
 
   private:
     double last_mesh_; ///< [s]
   };
 
   /** probe_waves.csv: a row a sample, probe of the driven body and number of diameters. */
-  class ProbeWaveWriter : public LastMeshTable<ProbeWaveSample>
+  class ProbeWaveWriter : public LastMeshTable<ProbeWaveSample, ProbeMeasure>
   {
   public:
-    /** The last mesh cycle begins at @p last_mesh [s]; @p places must outlive the object. */
-    ProbeWaveWriter(const OutputFolder              &folder,
-                    std::uint64_t                    steps_between,
-                    double                           last_mesh,
-                    const std::vector<unsigned int> &diameters,
-                    const StressWavePlaces          &places,
-                    ProbeMeasure                     measure);
+    /** @p rest: as in LastMeshTable, behind the columns. */
+    template <typename... Rest>
+    explicit ProbeWaveWriter(const OutputFolder &folder, const Rest &...rest)
+      : LastMeshTable(folder, "probe_waves.csv", list_probe_wave_columns(), rest...)
+    {
+    }
 
   private:
     void add_rows(const Model &model, const State &state) override;
-
-    std::vector<unsigned int> diameters_;
-    const StressWavePlaces   &places_;
-    ProbeMeasure              measure_;
   };
 
   /** fillet_waves.csv: a row a sample, facet of the driven body's fillets and number of diameters.
    */
-  class FilletWaveWriter : public LastMeshTable<FilletWaveSample>
+  class FilletWaveWriter : public LastMeshTable<FilletWaveSample, FilletMeasure>
   {
   public:
     /** As that of ProbeWaveWriter. */
-    FilletWaveWriter(const OutputFolder              &folder,
-                     std::uint64_t                    steps_between,
-                     double                           last_mesh,
-                     const std::vector<unsigned int> &diameters,
-                     const StressWavePlaces          &places,
-                     FilletMeasure                    measure);
+    template <typename... Rest>
+    explicit FilletWaveWriter(const OutputFolder &folder, const Rest &...rest)
+      : LastMeshTable(folder, "fillet_waves.csv", list_fillet_wave_columns(), rest...)
+    {
+    }
 
   private:
     void add_rows(const Model &model, const State &state) override;
-
-    std::vector<unsigned int> diameters_;
-    const StressWavePlaces   &places_;
-    FilletMeasure             measure_;
   };
 } // namespace vfife
 
