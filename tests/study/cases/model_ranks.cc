@@ -18,7 +18,9 @@ namespace
                 const std::string              &folder,
                 Communicator                   &communicator)
   {
-    run_pair(tree_folder() + "/prm/verification/" + name + ".prm", folder, communicator, overrides);
+    std::vector<std::string> all = overrides;
+    all.emplace_back("Output/verbosity=quiet"); // no progress on the screen
+    run_pair(tree_folder() + "/prm/verification/" + name + ".prm", folder, communicator, all);
   }
 
   void compare_ranks(const std::string              &name,

@@ -22,7 +22,9 @@ namespace
                    const std::vector<std::string> &overrides,
                    Communicator                   &communicator)
   {
-    run_pair(file_of(name), "results_" + name, communicator, overrides);
+    std::vector<std::string> all = overrides;
+    all.emplace_back("Output/verbosity=quiet"); // no progress on the screen
+    run_pair(file_of(name), "results_" + name, communicator, all);
     return read_columns("results_" + name + "/history.csv");
   }
 

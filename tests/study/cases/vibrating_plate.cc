@@ -72,7 +72,8 @@ int main(int argc, char **argv)
            "plate",
            world,
            {"Model/Body plate/radial elements=" + std::to_string(radial),
-            "Model/Body plate/elements around=" + std::to_string(around)});
+            "Model/Body plate/elements around=" + std::to_string(around),
+            "Output/verbosity=quiet"});
 
   auto        history = read_columns("plate/history.csv");
   const auto &side = history["side displacement z"], &front = history["front displacement z"];
