@@ -2,8 +2,6 @@
 #include <vfife/base/errors.h>
 #include <vfife/mesh/body_structure.h>
 
-#include <Eigen/Geometry>
-
 #include <utility>
 
 namespace vfife
@@ -28,7 +26,7 @@ namespace vfife
 
   Matrix3 BodyStructure::turn(const int sectors) const
   {
-    return Eigen::AngleAxisd(sectors * pitch(), Vector3::UnitZ()).toRotationMatrix();
+    return rotation_about(Vector3::UnitZ(), sectors * pitch());
   }
 
   unsigned int BodyStructure::copy(const unsigned int node, const int further) const

@@ -216,7 +216,7 @@ namespace vfife
     if (shares == node_shares_.end())
       return;
     const unsigned int tooth = structure.sector_of(node);
-    const Vector3      own   = followed_->structure().turn(-static_cast<int>(tooth)) * force;
+    const Vector3      own   = structure.turn(-static_cast<int>(tooth)) * force;
     Eigen::VectorXd   &all   = forces_of(tooth, forces);
     for (const auto &[point, weight] : shares->second)
       all.segment<3>(3 * point) += weight * own;

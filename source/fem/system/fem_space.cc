@@ -326,7 +326,7 @@ namespace vfife
     sector.sector_angle_ = structure.pitch();
     // Sector 1 must be sector 0 turned; the others are made in the same way.
     const auto          &X    = body.node_positions();
-    const Matrix3        turn = rotation_about(Vector3::UnitZ(), sector.sector_angle_);
+    const Matrix3        turn = structure.turn(1);
     std::vector<Vector3> nodes(X.begin(), X.begin() + n_nodes);
     double               size = 0;
     for (const Vector3 &x : nodes)

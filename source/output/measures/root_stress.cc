@@ -201,12 +201,12 @@ namespace vfife
               range->compression   = stress.third;
               passage->compression = sample.after_mesh;
             }
-          const double traction =
-            strains.traction ? strains.traction(member, column, row, tooth) : 0.;
           if (stress.first > sample.tension.stress)
-            sample.tension = {stress.first, place, traction};
+            sample.tension = {stress.first,
+                              place,
+                              strains.traction ? strains.traction(member, column, row, tooth) : 0.};
           if (stress.third < sample.compression.stress)
-            sample.compression = {stress.third, place, traction};
+            sample.compression = {stress.third, place};
         }
     return sample;
   }

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // What the bending of the rim has of a deflection.
-#include <vfife/base/complex.h>
 #include <vfife/base/process/communicator.h>
+#include <vfife/fem/cyclic/roots_of_unity.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>
 #include <vfife/model/model.h>
@@ -86,10 +86,8 @@ namespace vfife
 
     // 2. Displacements of the sectors' own contact points, turned back onto sector 0, as waves.
     const Vector3 first = turn(contact_sector_).transpose() * (t.contact_point - body.axis.point);
-    std::vector<Complex> phases;
-    for (unsigned int k = 0; k < n_sectors_; ++k)
-      phases.push_back(std::polar(1., 2. * pi * k / n_sectors_));
-    Vector3 bending = Vector3::Zero();
+    const RootsOfUnity phase(n_sectors_);
+    Vector3            bending = Vector3::Zero();
     for (unsigned int k = 0; k < n_sectors_; ++k)
       {
         const double *numbers = &sums[n_numbers * k];
@@ -101,8 +99,7 @@ namespace vfife
         // What sector k has of the waves in the contact's sector.
         double weight = 0;
         for (unsigned int n = 2; n <= largest_; ++n)
-          weight +=
-            2. * phases[n * (contact_sector_ + n_sectors_ - k) % n_sectors_].real() / n_sectors_;
+          weight += 2. * phase(n, contact_sector_ - static_cast<int>(k)).real() / n_sectors_;
         bending += weight * d;
       }
     return turn(contact_sector_) * bending;

@@ -63,7 +63,7 @@ namespace vfife
   {
     double  stress   = 0;               ///< [MPa]
     Vector2 place    = Vector2::Zero(); ///< along the face, up the profile [mm]
-    double  traction = 0; ///< that is left there along the normal, where it is known [MPa]
+    double  traction = 0;               ///< along the normal, left at a tension [MPa]; 0: not known
   };
 
   /** The fillet of one tooth at one instant or position. */
