@@ -185,13 +185,70 @@ namespace vfife
       std::vector<unsigned int> fillet_, flank_, toe_;
       FacetSurface              surface_;
     };
+
+    /** Nodes of sector 0 on a circle about the axis, in the order of their angles. */
+    struct Circle
+    {
+      Vector2                   r_z; ///< [mm]
+      std::vector<unsigned int> nodes;
+    };
+
+    /** Far below the size of an element [mm]. */
+    constexpr double same_circle = 1e-5;
+
+    /** Circles on which the nodes of a set are, by rising radii. */
+    std::vector<Circle> find_circles(const Body &body, const std::vector<unsigned int> &set)
+    {
+      const auto         &X = body.node_positions();
+      std::vector<Circle> circles;
+      for (const unsigned int node : set)
+        {
+          if (body.structure().sector_of(node) != 0)
+            continue;
+          const Vector2 r_z(X[node].head<2>().norm(), X[node][2]);
+          const auto found = std::find_if(circles.begin(), circles.end(), [&](const Circle &one) {
+            return (one.r_z - r_z).norm() < same_circle;
+          });
+          if (found == circles.end())
+            circles.push_back({r_z, {node}});
+          else
+            found->nodes.push_back(node);
+        }
+      for (Circle &circle : circles)
+        {
+          const auto angle = [&,
+                              first = polar_angle(X[circle.nodes.front()])](const unsigned int i) {
+            return std::remainder(polar_angle(X[i]) - first, 2. * pi);
+          };
+          std::sort(circle.nodes.begin(), circle.nodes.end(), [&](const auto a, const auto b) {
+            return angle(a) < angle(b);
+          });
+        }
+      std::sort(circles.begin(), circles.end(), [](const Circle &a, const Circle &b) {
+        return a.r_z[0] < b.r_z[0];
+      });
+      return circles;
+    }
   } // namespace
+
+  std::vector<std::string> Fillet::list_sides(const Body &body)
+  {
+    std::vector<std::string> sides = {surface_name::concave, surface_name::convex};
+    for (const auto &[side, set] : {std::make_pair(hub_front, node_set::hub_fillet_front),
+                                    std::make_pair(hub_back, node_set::hub_fillet_back)})
+      if (body.has_node_set(set))
+        sides.emplace_back(side);
+    return sides;
+  }
 
   Fillet::Fillet(const Body &body, const std::string &side)
     : side_(side)
     , structure_(&body.structure())
   {
-    find_nodes(body);
+    if (is_at_hub())
+      find_nodes_at_hub(body);
+    else
+      find_nodes_of_tooth(body);
     measure(body);
     material_ = body.material_under(nodes_, side + " fillets");
   }
@@ -201,7 +258,7 @@ namespace vfife
     return structure_->n_sectors();
   }
 
-  void Fillet::find_nodes(const Body &body)
+  void Fillet::find_nodes_of_tooth(const Body &body)
   {
     const FilletSurface surface(body, side_);
     const auto          profiles = surface.find_profiles();
@@ -210,6 +267,45 @@ namespace vfife
     n_rows_                      = profiles.front().size() - 1;
     for (const auto &profile : profiles)
       nodes_.insert(nodes_.end(), profile.begin(), profile.end());
+  }
+
+  void Fillet::find_nodes_at_hub(const Body &body)
+  {
+    const bool is_front = side_ == hub_front;
+    const auto circles  = find_circles(body,
+                                      body.node_set(is_front ? node_set::hub_fillet_front
+                                                             : node_set::hub_fillet_back));
+    // The fillet is tangent to the hub, of which it leaves the outside.
+    const Circle &bottom  = circles.front();
+    const double  outward = bottom.r_z[1] > circles[1].r_z[1] ? 1. : -1.;
+    const auto    web =
+      find_circles(body, body.node_set(is_front ? node_set::web_front : node_set::web_back));
+    const auto    above = std::find_if(web.begin(), web.end(), [&](const Circle &circle) {
+      return circle.r_z[0] > circles.back().r_z[0] + same_circle;
+    });
+    const Circle *below = nullptr;
+    const auto    hub   = find_circles(body, body.node_set(node_set::hub));
+    for (const Circle &circle : hub)
+      {
+        const double away = outward * (circle.r_z[1] - bottom.r_z[1]);
+        if (std::abs(circle.r_z[0] - bottom.r_z[0]) < same_circle && away > same_circle &&
+            (below == nullptr || away < outward * (below->r_z[1] - bottom.r_z[1])))
+          below = &circle;
+      }
+    if (above == web.end() || below == nullptr)
+      throw InputError("body \"" + body.name() + "\": the " + side_ +
+                       " fillet has no row of elements beside it");
+    std::vector<const Circle *> rows = {below};
+    for (const Circle &circle : circles)
+      rows.push_back(&circle);
+    rows.push_back(&*above);
+    mirrored_  = outward > 0.;
+    n_columns_ = bottom.nodes.size();
+    n_rows_    = rows.size() - 1;
+    for (unsigned int column = 0; column <= n_columns_; ++column)
+      for (const Circle *row : rows)
+        nodes_.push_back(column < n_columns_ ? row->nodes[column]
+                                             : structure_->copy(row->nodes.front(), 1));
   }
 
   void Fillet::measure(const Body &body)

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// Submodels of teeth: on the body's own mesh they have its displacements to round-off, for a solid
-// pinion and a gear on a web, under forces on several teeth and in spin. Forces and moments on the
-// flanks are kept on another mesh.
+// Submodels of teeth and webs: on the body's own mesh they have its displacements to round-off, for
+// a solid pinion and a gear on a web, under forces on several teeth and in spin. Forces and moments
+// on the flanks are kept on another mesh.
 #include "../gear/paper_pair.h"
 #include "../mesh/coarsest.h"
 #include "../mesh/paper_members.h"
@@ -11,7 +11,7 @@
 
 #include <vfife/fem/fem_options.h>
 #include <vfife/fem/statics/static_solver.h>
-#include <vfife/fem/submodel/tooth_submodel.h>
+#include <vfife/fem/submodel/sector_submodel.h>
 #include <vfife/mesh/gear/gear_body.h>
 #include <vfife/mesh/node_set_names.h>
 
@@ -38,12 +38,16 @@ namespace
     return model;
   }
 
-  /** All displacements of the sector's own nodes. */
-  std::vector<PointReading> read_nodes(const FemSpace &sector)
+  /** Displacements of nodes of the part. */
+  std::vector<PointReading> read_nodes(const SubmodelPart part, const FemSpace &sector)
   {
-    std::vector<PointReading> readings;
-    const Body               &body = sector.model().bodies[0];
-    for (const char *set : {node_set::concave_fillet, node_set::convex_fillet, node_set::tip})
+    std::vector<PointReading>      readings;
+    const Body                    &body = sector.model().bodies[0];
+    const std::vector<std::string> sets =
+      part == SubmodelPart::teeth
+        ? std::vector<std::string>{node_set::concave_fillet, node_set::convex_fillet, node_set::tip}
+        : std::vector<std::string>{node_set::hub_fillet_front, node_set::hub_fillet_back};
+    for (const std::string &set : sets)
       for (const unsigned int node : body.node_set(set))
         if (body.structure().sector_of(node) == 0)
           for (unsigned int c = 0; c < 3; ++c)
@@ -51,7 +55,10 @@ namespace
     return readings;
   }
 
-  void check_body(const std::string &name, const Model &model, const Communicator &world)
+  void check_body(const std::string  &name,
+                  const SubmodelPart  part,
+                  const Model        &model,
+                  const Communicator &world)
   {
     const Body         &body  = model.bodies[0];
     const Matrix3      &R     = body.placement.rotation;
@@ -59,13 +66,13 @@ namespace
     const FacetSurface &flank = body.mesh().surfaces.at(surface_name::concave);
     const FemSpace      sector =
       FemSpace::sector_of(model, 0, {FemElement::incompatible_modes, FemGeometry::straight});
-    const auto          readings = read_nodes(sector);
-    const ToothSubmodel submodel(sector, body, readings);
+    const auto           readings = read_nodes(part, sector);
+    const SectorSubmodel submodel(part, sector, body, readings);
 
     // Different forces on the flanks of four teeth, round the first one.
     StaticLoads loads;
     loads.nodal_forces.assign(body.n_nodes(), Vector3::Zero());
-    ToothSubmodel::ToothForces forces;
+    SectorSubmodel::ToothForces forces;
     for (std::size_t f = 0; f < flank.facets.size(); ++f)
       for (const unsigned int corner : flank.facets[f])
         {
@@ -117,8 +124,8 @@ namespace
     const Body    &body = coarse_model.bodies[0];
     const FemSpace sector =
       FemSpace::sector_of(fine_model, 0, {FemElement::quadratic, FemGeometry::curved});
-    const auto          readings = read_nodes(sector);
-    const ToothSubmodel submodel(sector, body, readings);
+    const auto           readings = read_nodes(SubmodelPart::teeth, sector);
+    const SectorSubmodel submodel(SubmodelPart::teeth, sector, body, readings);
     check("other meshes: nodes are followed", submodel.followed_nodes().size() > 50);
 
     // A rigid motion of the body is that of the submodel, without forces.
@@ -135,9 +142,9 @@ namespace
                            .norm());
     check_below("other meshes: rigid motion [mm]", error, 1e-9);
 
-    const FacetSurface        &flank = body.mesh().surfaces.at(surface_name::convex);
-    Vector3                    sum   = Vector3::Zero();
-    ToothSubmodel::ToothForces at_nodes, at_places;
+    const FacetSurface         &flank = body.mesh().surfaces.at(surface_name::convex);
+    Vector3                     sum   = Vector3::Zero();
+    SectorSubmodel::ToothForces at_nodes, at_places;
     for (std::size_t i = 0; i < flank.nodes.size(); ++i)
       if (body.structure().sector_of(flank.nodes[i]) == 0)
         {
@@ -162,18 +169,20 @@ namespace
   {
     const FemSpace sector =
       FemSpace::sector_of(gear, 0, {FemElement::incompatible_modes, FemGeometry::straight});
-    print_refusal([&] { ToothSubmodel(sector, pinion.bodies[0], {}); });
+    print_refusal([&] { SectorSubmodel(SubmodelPart::teeth, sector, pinion.bodies[0], {}); });
   }
 } // namespace
 
 int main(int argc, char **argv)
 {
-  const TestRanks       ranks(argc, argv);
-  const GearBodyOptions of_pinion = coarsest(pinion_body_defaults()), of_gear = coarsest({});
-  const Model           pinion = make_model(paper::pinion(), of_pinion),
-              gear             = make_model(paper::gear(), of_gear);
-  check_body("solid pinion", pinion, ranks.world);
-  check_body("gear on a web", gear, ranks.world);
+  const TestRanks ranks(argc, argv);
+  GearBodyOptions of_pinion = coarsest(pinion_body_defaults()), of_gear = coarsest({});
+  of_gear.hub_fillet_radius = 2.;
+  const Model pinion        = make_model(paper::pinion(), of_pinion),
+              gear          = make_model(paper::gear(), of_gear);
+  check_body("solid pinion", SubmodelPart::teeth, pinion, ranks.world);
+  check_body("gear on a web", SubmodelPart::teeth, gear, ranks.world);
+  check_body("web of the gear", SubmodelPart::web, gear, ranks.world);
   GearBodyOptions fine  = coarse(pinion_body_defaults());
   fine.surface_layer    = .6;
   fine.cells_lengthwise = 4;

@@ -9,7 +9,7 @@
 #include "pinion_fillets.h"
 
 #include <vfife/fem/statics/compliance.h>
-#include <vfife/fem/submodel/tooth_submodel.h>
+#include <vfife/fem/submodel/sector_submodel.h>
 #include <vfife/fem/system/load_forces.h>
 #include <vfife/model/load_shares.h>
 #include <vfife/study/fillets/facet_readings.h>
@@ -71,9 +71,9 @@ namespace
   }
 
   /** The pressure on the elements' faces as forces at points of a quadrature. */
-  void add_pressure(const FemSpace             &sector,
-                    const ToothSubmodel        &submodel,
-                    ToothSubmodel::ToothForces &forces)
+  void add_pressure(const FemSpace              &sector,
+                    const SectorSubmodel        &submodel,
+                    SectorSubmodel::ToothForces &forces)
   {
     const Body &body = sector.model().bodies[0];
     const Load  load = press_flank(body);
@@ -105,8 +105,8 @@ int main(int argc, char **argv)
   check_even_growth(sector, tractions);
   std::vector<PointReading> readings = strains;
   readings.insert(readings.end(), tractions.begin(), tractions.end());
-  const ToothSubmodel        submodel(sector, followed.bodies[0], readings);
-  ToothSubmodel::ToothForces forces;
+  const SectorSubmodel        submodel(SubmodelPart::teeth, sector, followed.bodies[0], readings);
+  SectorSubmodel::ToothForces forces;
   add_pressure(sector, submodel, forces);
   const Compliance          trilinear(followed, {}, false, ranks.world);
   const std::vector<double> u = solve(followed.bodies[0], trilinear);

@@ -13,18 +13,22 @@ namespace vfife
 {
   namespace node_set
   {
-    constexpr char bore[]          = "bore"; ///< with a shaft the nodes that both share, inside
-    constexpr char hub[]           = "hub";  ///< all nodes of the hub ring
-    constexpr char rim[]           = "rim";  ///< all nodes of the ring under the teeth
-    constexpr char rim_underside[] = "rim underside"; ///< held where there is no web
-    constexpr char web_front[]     = "web front";     ///< face of the web towards the apex
-    constexpr char web_back[]      = "web back";      ///< face of the web towards the back
-    constexpr char node_A_front[]  = "node A front";  ///< one a sector, in the order of sectors
-    constexpr char node_A_back[]   = "node A back";   ///< one a sector, in the order of sectors
-    constexpr char tip[]           = "tip";
-    constexpr char toe[]           = "toe";
-    constexpr char heel[]          = "heel";
-    constexpr char root_land[]     = "root land"; ///< between the fillets of a slot
+    constexpr char bore[]             = "bore"; ///< with a shaft the nodes that both share, inside
+    constexpr char hub[]              = "hub";  ///< all nodes of the hub ring
+    constexpr char rim[]              = "rim";  ///< all nodes of the ring under the teeth
+    constexpr char rim_underside[]    = "rim underside";    ///< held where there is no web
+    constexpr char web_front[]        = "web front";        ///< face of the web towards the apex
+    constexpr char web_back[]         = "web back";         ///< face of the web towards the back
+    constexpr char rim_fillet_front[] = "rim fillet front"; ///< of the web's front face at the rim
+    constexpr char rim_fillet_back[]  = "rim fillet back";
+    constexpr char hub_fillet_front[] = "hub fillet front"; ///< of the web's front face at the hub
+    constexpr char hub_fillet_back[]  = "hub fillet back";
+    constexpr char node_A_front[]     = "node A front"; ///< one a sector, in the order of sectors
+    constexpr char node_A_back[]      = "node A back";  ///< one a sector, in the order of sectors
+    constexpr char tip[]              = "tip";
+    constexpr char toe[]              = "toe";
+    constexpr char heel[]             = "heel";
+    constexpr char root_land[]        = "root land"; ///< between the fillets of a slot
 
     constexpr char shaft[]         = "shaft";         ///< all nodes of a shaft
     constexpr char shaft_surface[] = "shaft surface"; ///< its free outside

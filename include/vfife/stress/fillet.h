@@ -15,23 +15,40 @@ namespace vfife
   class BodyStructure;
 
   /**
-   * The free surface of one side's fillet of all teeth of a gear body as a grid of facets: columns
-   * from toe to heel, rows up the profile from the root land to the start of the flank. Beside the
-   * fillet's own rows the grid knows one row of the root land below and one of the flank above,
+   * The free surface of one fillet of all sectors of a gear body as a grid of facets. Fillet of a
+   * tooth: columns from toe to heel, rows up the profile from the root land to the start of the
+   * flank. Fillet of the web at the hub: columns round the axis, rows from the hub to the web.
+   * Beside the fillet's own rows the grid knows one row of the surface below and one of that above,
    * onto which gauges may reach.
    */
   class Fillet
   {
   public:
+    /** Sides with fillets at the hub: of the web's faces towards the apex and the back. */
+    static constexpr char hub_front[] = "hub front";
+    static constexpr char hub_back[]  = "hub back";
+
+    /** Sides of a gear body that have a fillet. */
+    static std::vector<std::string> list_sides(const Body &body);
+
     /**
-     * @p side: "concave" or "convex", as the surfaces of its flanks. Throws InputError where the
-     * body has no such fillet.
+     * @p side: "concave" or "convex", as the surfaces of its flanks, "hub front" or "hub back".
+     * Throws InputError where the body has no such fillet.
      */
     Fillet(const Body &body, const std::string &side);
 
     const std::string &side() const
     {
       return side_;
+    }
+    /** Whether it is of the web, not of teeth. */
+    bool is_at_hub() const
+    {
+      return is_at_hub(side_);
+    }
+    static bool is_at_hub(const std::string &side)
+    {
+      return side == hub_front || side == hub_back;
     }
     /** Of the elements under it. */
     const Material &material() const
@@ -83,14 +100,15 @@ namespace vfife
     {
       return std::size_t(column) * (n_rows_ + 1) + row;
     }
-    void find_nodes(const Body &body);
+    void find_nodes_of_tooth(const Body &body);
+    void find_nodes_at_hub(const Body &body);
     void measure(const Body &body);
 
     std::string               side_;
     Material                  material_;
     const BodyStructure      *structure_;
     unsigned int              n_columns_ = 0, n_rows_ = 0;
-    bool                      mirrored_ = false; ///< seen from outside the toe is on the right
+    bool                      mirrored_ = false; ///< seen from outside column 0 is on the right
     std::vector<unsigned int> nodes_;            ///< of tooth 0 by index()
     std::vector<double>       face_, profile_;
   };

@@ -20,16 +20,21 @@ namespace vfife
     /** Readings that are solved for together. */
     constexpr Eigen::Index solved_at_once = 96;
 
-    /** Whether an element of the body belongs to what a strip is made of. */
-    bool is_of_teeth(const Body &body, const unsigned int element)
+    /** Sectors on either side of a web's, which is narrow at the hub. */
+    constexpr int beside_web = 5;
+
+    /** Whether an element of the body belongs to one of two regions. */
+    bool is_of(const Body        &body,
+               const unsigned int element,
+               const GearRegion   one,
+               const GearRegion   other)
     {
       const auto region =
         std::next(body.mesh().triangulation.begin_active(), element)->material_id();
-      return region == static_cast<unsigned int>(GearRegion::tooth) ||
-             region == static_cast<unsigned int>(GearRegion::rim);
+      return region == static_cast<unsigned int>(one) || region == static_cast<unsigned int>(other);
     }
 
-    /** Nodes by which a body without a web is held or turned. */
+    /** Nodes by which a body may be held or turned. */
     std::vector<unsigned int> held_nodes(const Body &body)
     {
       for (const char *name : {node_set::bore, node_set::rim_underside})
@@ -39,12 +44,13 @@ namespace vfife
     }
   } // namespace
 
-  SectorStrip::SectorStrip(const FemSpace &sector)
+  SectorStrip::SectorStrip(const FemSpace &sector, const SubmodelPart part)
     : sector_(sector)
+    , beside_(part == SubmodelPart::web ? beside_web : 1)
     , body_(sector.model().bodies[sector.parts().front().body])
     , originals_(sector.images().begin(), sector.images().end())
   {
-    const Chosen chosen = choose_elements();
+    const Chosen chosen = part == SubmodelPart::web ? choose_web() : choose_teeth();
     add_elements(chosen);
     number_unknowns(chosen);
   }
@@ -67,7 +73,7 @@ namespace vfife
     return found == numbers_.end() ? none : found->second;
   }
 
-  SectorStrip::Chosen SectorStrip::choose_elements() const
+  SectorStrip::Chosen SectorStrip::choose_teeth() const
   {
     // An element is of the half of the tooth whose flank is nearer.
     std::array<std::vector<Vector3>, 2> flanks;
@@ -92,25 +98,34 @@ namespace vfife
     if (std::remainder(angle(flanks[1]) - angle(flanks[0]), 2. * pi) < 0.)
       std::swap(flanks[0], flanks[1]);
 
-    Chosen chosen(sector_.n_elements());
+    Chosen chosen(sector_.n_elements(), {false, false, false});
     for (unsigned int e = 0; e < sector_.n_elements(); ++e)
-      if (is_of_teeth(body_, sector_.body_element(e)))
+      if (is_of(body_, sector_.body_element(e), GearRegion::tooth, GearRegion::rim))
         {
           Vector3 middle = Vector3::Zero();
           for (unsigned int a = 0; a < sector_.points_per_element(); ++a)
             middle += body_place(sector_.element_points(e)[a]) / sector_.points_per_element();
           const bool is_lower = distance(flanks[0], middle) < distance(flanks[1], middle);
-          chosen[e]           = {{!is_lower, true, is_lower}};
+          chosen[e]           = {!is_lower, true, is_lower};
         }
+    return chosen;
+  }
+
+  SectorStrip::Chosen SectorStrip::choose_web() const
+  {
+    Chosen chosen;
+    for (unsigned int e = 0; e < sector_.n_elements(); ++e)
+      chosen.emplace_back(2 * beside_ + 1,
+                          is_of(body_, sector_.body_element(e), GearRegion::web, GearRegion::hub));
     return chosen;
   }
 
   void SectorStrip::add_elements(const Chosen &chosen)
   {
-    for (int turned = -beside; turned <= beside; ++turned)
+    for (int turned = -beside_; turned <= beside_; ++turned)
       for (unsigned int e = 0; e < sector_.n_elements(); ++e)
         {
-          if (!chosen[e][beside + turned])
+          if (!chosen[e][beside_ + turned])
             continue;
           Element element{e, turned, {}};
           for (unsigned int a = 0; a < sector_.points_per_element(); ++a)
@@ -141,19 +156,14 @@ namespace vfife
       if (const unsigned int p = number(turned, point); p != none)
         cut[p] = true;
     };
-    bool is_held = true;
     for (unsigned int e = 0; e < sector_.n_elements(); ++e)
-      {
-        is_held = is_held && chosen[e][beside];
-        for (int turned = -beside - 1; turned <= beside + 1; ++turned)
-          if (std::abs(turned) > beside || !chosen[e][beside + turned])
-            for (unsigned int a = 0; a < sector_.points_per_element(); ++a)
-              cut_here(turned, sector_.element_points(e)[a]);
-      }
-    if (is_held)
-      for (const unsigned int point : sector_.points_of(sector_.parts().front(), held_nodes(body_)))
-        for (int turned = -beside; turned <= beside + 1; ++turned)
-          cut_here(turned, point);
+      for (int turned = -beside_ - 1; turned <= beside_ + 1; ++turned)
+        if (std::abs(turned) > beside_ || !chosen[e][beside_ + turned])
+          for (unsigned int a = 0; a < sector_.points_per_element(); ++a)
+            cut_here(turned, sector_.element_points(e)[a]);
+    for (const unsigned int point : sector_.points_of(sector_.parts().front(), held_nodes(body_)))
+      for (int turned = -beside_; turned <= beside_ + 1; ++turned)
+        cut_here(turned, point);
     first_unknown_.assign(points_.size(), -1);
     for (unsigned int p = 0; p < points_.size(); ++p)
       if (cut[p])

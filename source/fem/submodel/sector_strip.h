@@ -3,9 +3,9 @@
 #define vfife_fem_submodel_sector_strip_h
 
 #include <vfife/fem/submodel/point_reading.h>
+#include <vfife/fem/submodel/submodel_part.h>
 #include <vfife/fem/system/fem_space.h>
 
-#include <array>
 #include <map>
 #include <utility>
 #include <vector>
@@ -15,16 +15,19 @@ namespace vfife
   class Communicator;
   class FemMatrix;
 
-  /** Teeth and rim of sector 0 of a gear body and of the halves of the sectors -1 and 1 that are
-   * next to it, in the axes of the body. Points where they are cut from the rest of the body have
-   * given displacements. */
+  /** A part of sector 0 of a gear body and of the sectors next to it, in the axes of the body.
+   * Points where it is cut from the rest of the body, held or turned have given displacements. */
   class SectorStrip
   {
   public:
-    static constexpr int beside = 1; ///< sectors on either side
-
     /** @p sector must outlive the strip. */
-    explicit SectorStrip(const FemSpace &sector);
+    SectorStrip(const FemSpace &sector, SubmodelPart part);
+
+    /** Sectors on either side. */
+    int beside() const
+    {
+      return beside_;
+    }
 
     /** [mm]. */
     const std::vector<Vector3> &points() const
@@ -70,9 +73,11 @@ namespace vfife
     using Key = std::pair<int, unsigned int>;
     Key key_of(int turned, unsigned int point) const;
 
-    /** By element of the sector: whether it belongs to the strip when it is turned. */
-    using Chosen = std::vector<std::array<bool, 2 * beside + 1>>;
-    Chosen          choose_elements() const;
+    /** By element of the sector: whether it belongs to the strip when it is turned from -beside to
+     * beside sectors. */
+    using Chosen = std::vector<std::vector<bool>>;
+    Chosen          choose_teeth() const;
+    Chosen          choose_web() const;
     void            add_elements(const Chosen &chosen);
     void            number_unknowns(const Chosen &chosen);
     FemMatrix       make_matrix(const Communicator &communicator) const;
@@ -85,6 +90,7 @@ namespace vfife
     }
 
     const FemSpace                      &sector_;
+    int                                  beside_;
     const Body                          &body_;      ///< of the sector
     std::map<unsigned int, unsigned int> originals_; ///< of images
     std::vector<Vector3>                 points_;

@@ -16,6 +16,12 @@ namespace vfife
     }
   } // namespace
 
+  bool MeridianArc::contains(const Vector2 &r_z) const
+  {
+    constexpr double tolerance = 1e-6; ///< over the radius
+    return radius > 0. && std::abs((r_z - centre).norm() - radius) < tolerance * radius;
+  }
+
   // Where wall and web meet at the angle a, the arc touches both at R / tan(a / 2) from their
   // corner; its centre lies on the bisector, R / sin(a / 2) from it.
   double ConicalWeb::Fillet::tangent() const
@@ -24,17 +30,21 @@ namespace vfife
     return radius / std::tan(angle / 2.);
   }
 
+  MeridianArc ConicalWeb::Fillet::arc() const
+  {
+    const Vector2 bisector = (along_wall + along_web).normalized();
+    const double  half     = std::acos(bisector.dot(along_wall));
+    return {corner + radius / std::sin(half) * bisector, radius};
+  }
+
   Vector2 ConicalWeb::Fillet::point(const double part) const
   {
     if (radius == 0.)
       return corner;
-    const Vector2 on_wall  = corner + tangent() * along_wall,
-                  on_web   = corner + tangent() * along_web;
-    const Vector2 bisector = (along_wall + along_web).normalized();
-    const double  half     = std::acos(bisector.dot(along_wall));
-    const Vector2 centre   = corner + radius / std::sin(half) * bisector;
+    const Vector2 on_wall = corner + tangent() * along_wall,
+                  on_web = corner + tangent() * along_web, centre = arc().centre;
     // between the radii to both ends, which are pi - 2 half apart
-    const double whole = pi - 2. * half;
+    const double whole = pi - 2. * std::acos((along_wall + along_web).normalized().dot(along_wall));
     return centre + (std::sin((1. - part) * whole) * (on_wall - centre) +
                      std::sin(part * whole) * (on_web - centre)) /
                       std::sin(whole);

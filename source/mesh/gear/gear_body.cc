@@ -81,7 +81,7 @@ namespace vfife
         mesh->surfaces[surface.name] = std::move(surface);
       }
     name_boundaries(*mesh, gear_boundaries());
-    attach_gear_manifolds(*mesh, gear);
+    attach_gear_manifolds(*mesh, gear, sector.web_fillets);
     return mesh;
   }
 } // namespace vfife

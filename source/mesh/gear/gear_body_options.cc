@@ -67,12 +67,13 @@ namespace vfife
                        "mm",
                        "Fillet radius between web and rim; 0: sharp corners",
                        Range::not_negative());
-      declare_quantity(prm,
-                       "hub fillet radius",
-                       hub_fillet_radius,
-                       "mm",
-                       "Fillet radius between web and hub; 0: sharp corners",
-                       Range::not_negative());
+      declare_quantity(
+        prm,
+        "hub fillet radius",
+        hub_fillet_radius,
+        "mm",
+        "Fillet radius between web and hub; 0: a sharp corner, whose stress has no limit",
+        Range::not_negative());
       declare_quantity(prm,
                        "hub radius",
                        hub_radius,

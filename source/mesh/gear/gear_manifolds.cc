@@ -21,8 +21,49 @@ namespace vfife
       concave_flank,
       convex_flank,
       concave_fillet,
-      convex_fillet
+      convex_fillet,
+      first_web_fillet
     };
+
+    /** The mean in cylinder coordinates about z, moved onto the torus of an arc in the meridian. */
+    class TorusManifold : public dealii::CylindricalManifold<3>
+    {
+    public:
+      explicit TorusManifold(const MeridianArc &arc)
+        : dealii::CylindricalManifold<3>(2)
+        , arc_(arc)
+      {
+      }
+
+      std::unique_ptr<dealii::Manifold<3>> clone() const override
+      {
+        return std::make_unique<TorusManifold>(*this);
+      }
+
+      dealii::Point<3> get_new_point(const Points  &surrounding_points,
+                                     const Weights &weights) const override
+      {
+        const auto mean =
+          dealii::CylindricalManifold<3>::get_new_point(surrounding_points, weights);
+        const double  r = std::hypot(mean[0], mean[1]);
+        const Vector2 moved =
+          arc_.centre + arc_.radius * (Vector2(r, mean[2]) - arc_.centre).normalized();
+        return {mean[0] * moved[0] / r, mean[1] * moved[0] / r, moved[1]};
+      }
+
+    private:
+      MeridianArc arc_;
+    };
+
+    /** Whether all corners of a face are on an arc. */
+    template <typename Face>
+    bool is_on(const MeridianArc &arc, const Face &face)
+    {
+      for (unsigned int v = 0; v < 4; ++v)
+        if (const auto &x = face->vertex(v); !arc.contains({std::hypot(x[0], x[1]), x[2]}))
+          return false;
+      return true;
+    }
 
     Vector3 vector_of(const dealii::Point<3> &x)
     {
@@ -132,9 +173,10 @@ namespace vfife
     return turned(rotation, gear_->fillet_point(side_, L, lambda).position);
   }
 
-  void attach_gear_manifolds(BodyMesh &mesh, const GearGeometry &gear)
+  void
+  attach_gear_manifolds(BodyMesh &mesh, const GearGeometry &gear, const WebFillets &web_fillets)
   {
-    // everything is a surface of revolution, but for flanks and fillets
+    // Everything is a surface of revolution, but for flanks and fillets of teeth.
     dealii::Triangulation<3> &triangulation = mesh.triangulation;
     triangulation.reset_all_manifolds();
     triangulation.set_all_manifold_ids(revolution);
@@ -159,5 +201,15 @@ namespace vfife
               if (name != mesh.boundaries.end() && name->second == surface.first)
                 face->set_all_manifold_ids(surface.second);
           }
+    dealii::types::manifold_id id = first_web_fillet;
+    for (const auto &[name, arc] : web_fillets)
+      {
+        triangulation.set_manifold(id, TorusManifold(arc));
+        for (const auto &cell : triangulation.active_cell_iterators())
+          for (const auto &face : cell->face_iterators())
+            if (face->at_boundary() && is_on(arc, face))
+              face->set_all_manifold_ids(id);
+        ++id;
+      }
   }
 } // namespace vfife

@@ -20,10 +20,23 @@ namespace vfife
     return (1. - u) * left_angle_at(own) + u * left_angle_at(web_.wall_place(.5)) + across;
   }
 
+  double GearSectorBuilder::foot_dip(const double x) const
+  {
+    // Without it cells where a fillet is tangent to the hub have a corner without an angle.
+    constexpr double of_foot = .15, of_row = .5;
+    if (options_.hub_fillet_radius == 0.)
+      return 0.;
+    const double row = (options_.hub_radius - options_.bore_radius) / options_.hub_rows;
+    return std::min(of_foot * web_.foot_on_hub(), of_row * row) * 4. * x * (1. - x);
+  }
+
   Vector3
   GearSectorBuilder::web_point(const double u, const unsigned int layer, const double angle) const
   {
-    const Vector2 r_z = web_.point(u, double(layer) / options_.web_layers);
+    const double x   = double(layer) / options_.web_layers;
+    Vector2      r_z = web_.point(u, x);
+    if (u == 1.)
+      r_z[0] -= foot_dip(x);
     return {r_z[0] * std::cos(angle), r_z[0] * std::sin(angle), r_z[1]};
   }
 
@@ -94,8 +107,32 @@ namespace vfife
       }
     if (options_.hub_fillet_radius > 0.)
       for (unsigned int row = 1; row <= options_.fillet_rows; ++row)
-        stations.push_back(stop + (1. - stop) * row / options_.fillet_rows);
+        stations.push_back(
+          row < options_.fillet_rows ? stop + (1. - stop) * row / options_.fillet_rows : 1.);
     return stations;
+  }
+
+  void GearSectorBuilder::add_web_faces(const NodeLayer &nodes)
+  {
+    const auto add = [this](const char                      *face,
+                            const char                      *rim_fillet,
+                            const char                      *hub_fillet,
+                            const unsigned int               side,
+                            const std::vector<unsigned int> &line) {
+      cells_.add_to_set(face, NodeLayer{line});
+      for (const auto &[name, arc] : {std::make_pair(rim_fillet, web_.rim_fillet(side)),
+                                      std::make_pair(hub_fillet, web_.hub_fillet(side))})
+        if (const Vector3 x = cells_.position(line.front());
+            arc.contains({std::hypot(x[0], x[1]), x[2]}))
+          cells_.add_to_set(name, NodeLayer{line});
+    };
+    // First and last layer are the web's faces.
+    add(node_set::web_front,
+        node_set::rim_fillet_front,
+        node_set::hub_fillet_front,
+        0,
+        nodes.front());
+    add(node_set::web_back, node_set::rim_fillet_back, node_set::hub_fillet_back, 1, nodes.back());
   }
 
   void GearSectorBuilder::add_web()
@@ -105,12 +142,7 @@ namespace vfife
     NodeLayer                 previous   = web_foot();
     unsigned int              columns    = options_.columns();
 
-    // first and last layer are the web's faces
-    const auto add_faces = [&](const NodeLayer &nodes) {
-      cells_.add_to_set(node_set::web_front, NodeLayer{nodes.front()});
-      cells_.add_to_set(node_set::web_back, NodeLayer{nodes.back()});
-    };
-    add_faces(previous);
+    add_web_faces(previous);
     for (unsigned int row = 1; row < stations.size(); ++row)
       {
         const double u = stations[row], last = stations[row - 1];
@@ -121,7 +153,7 @@ namespace vfife
           add_coarsening_row(previous, next, last + coarsening_row_place * (u - last));
         else
           cells_.add_row(previous, next);
-        add_faces(next);
+        add_web_faces(next);
         previous = next;
       }
     // node A: in the middle of the sector where the faces meet the hub

@@ -72,7 +72,7 @@ namespace vfife
       // boundaries by these sets, true surfaces by manifolds
       create_triangulation(*mesh, nodes, cells, sector.regions);
       name_boundaries(*mesh, sector_boundaries());
-      attach_gear_manifolds(*mesh, gear);
+      attach_gear_manifolds(*mesh, gear, sector.web_fillets);
       return mesh;
     }
 
@@ -155,6 +155,12 @@ namespace vfife
                   add(on_shaft ? node_set::bore : names[id - 1], face->vertex_index(v));
             }
         }
+      for (const auto &[name, arc] : coarse.web_fillets)
+        for (const auto &cell : mesh.triangulation.active_cell_iterators())
+          for (const unsigned int v : cell->vertex_indices())
+            if (const Vector3 x = vertex(mesh, cell->vertex_index(v));
+                arc.contains({std::hypot(x[0], x[1]), x[2]}))
+              add(name, cell->vertex_index(v));
       for (auto &set : sector.node_sets)
         {
           auto &nodes = set.second;
@@ -223,6 +229,7 @@ namespace vfife
     // 2. Its vertices as nodes of this sector or the next, cells with their regions.
     const std::vector<unsigned int> number = number_nodes(gear, *mesh);
     GearSector                      refined;
+    refined.web_fillets = sector.web_fillets;
     for (unsigned int i = 0; i < number.size(); ++i)
       if (!GearSector::is_next(number[i]))
         refined.nodes.push_back(vertex(*mesh, i));

@@ -76,13 +76,22 @@ namespace vfife
              figure.compare(figure.size() - name.size(), name.size(), name) == 0;
     }
 
-    /** Names of the figures of root stresses behind that of a member. */
-    struct RootNames
+    /** Names of the figures of a fillet's stresses behind that of a member. */
+    struct FilletNames
     {
-      const std::string tension     = " root " + std::string(column::tension),
-                        compression = " root " + std::string(column::compression),
-                        range       = " root stress range";
+      const std::string tension, compression, range;
 
+      explicit FilletNames(const bool at_hub)
+        : tension(place(at_hub) + column::tension)
+        , compression(place(at_hub) + column::compression)
+        , range(place(at_hub) + "stress range")
+      {
+      }
+
+      static std::string place(const bool at_hub)
+      {
+        return at_hub ? " hub fillet " : " root ";
+      }
       bool end(const std::string &figure) const
       {
         return ends_with(figure, tension) || ends_with(figure, compression) ||
@@ -128,9 +137,9 @@ namespace vfife
           for (const auto &[name, value] : summary.at(pointer).items())
             take(name, value);
       };
-      const RootNames roots;
+      const FilletNames roots(false), hubs(true);
       for_each(summary_place::figures, [&](const std::string &name, const Json &figure) {
-        if (roots.end(name) || ends_with(name, figure_name::on_own_grid) ||
+        if (roots.end(name) || hubs.end(name) || ends_with(name, figure_name::on_own_grid) ||
             ends_with(name, figure_name::stress_of_part) ||
             name == figure_name::nearest_wave_speed || name == figure_name::nearest_wave_distance)
           figures[name] = figure;
@@ -189,10 +198,10 @@ namespace vfife
 
   NamedFigures list_root_figures(const RootStress &stress)
   {
-    const RootNames names;
-    NamedFigures    figures;
-    for (const MemberRootStress &member : stress.list_members())
+    NamedFigures figures;
+    for (const MemberFilletStress &member : stress.list_members())
       {
+        const FilletNames names(member.at_hub);
         figures.push_back({member.body + names.tension, {member.tension, "MPa"}});
         figures.push_back({member.body + names.compression, {member.compression, "MPa"}});
         figures.push_back({member.body + names.range, {member.range, "MPa"}});

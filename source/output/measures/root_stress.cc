@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/text/byte_stream.h>
 #include <vfife/base/text/column_names.h>
-#include <vfife/mesh/node_set_names.h>
 #include <vfife/model/model.h>
 #include <vfife/output/measures/root_stress.h>
 
@@ -110,7 +109,7 @@ namespace vfife
     for (const unsigned int body : {t.driver, t.driven})
       {
         named_teeth_[body] = options.read_named_teeth(model.bodies[body].name(), count_teeth(body));
-        for (const char *side : {surface_name::concave, surface_name::convex})
+        for (const std::string &side : Fillet::list_sides(model.bodies[body]))
           {
             fillets_.push_back({body, Fillet(model.bodies[body], side)});
             const Fillet &fillet = fillets_.back().fillet;
@@ -217,8 +216,18 @@ namespace vfife
   {
     std::vector<RootStressSample> samples;
     for (std::size_t i = 0; i < fillets_.size(); ++i)
-      for (const unsigned int tooth : recorded_teeth(fillets_[i].body, teeth))
-        samples.push_back(measure_tooth(i, tooth, meshes, strains));
+      if (!fillets_[i].fillet.is_at_hub())
+        for (const unsigned int tooth : recorded_teeth(fillets_[i].body, teeth))
+          samples.push_back(measure_tooth(i, tooth, meshes, strains));
+      else if (teeth_ != RecordedTeeth::none)
+        {
+          RootStressSample largest = measure_tooth(i, 0, meshes, strains);
+          for (unsigned int sector = 1; sector < fillets_[i].fillet.n_teeth(); ++sector)
+            if (RootStressSample here = measure_tooth(i, sector, meshes, strains);
+                here.tension.stress > largest.tension.stress)
+              largest = std::move(here);
+          samples.push_back(std::move(largest));
+        }
     return samples;
   }
 
@@ -346,23 +355,27 @@ namespace vfife
     return table;
   }
 
-  std::vector<MemberRootStress> RootStress::list_members() const
+  std::vector<MemberFilletStress> RootStress::list_members() const
   {
-    std::vector<MemberRootStress> members;
-    const Transmission           &t = *model_.transmission;
-    for (const unsigned int body : {t.driver, t.driven})
-      {
-        MemberRootStress member{model_.bodies[body].name()};
-        for (std::size_t i = 0; i < fillets_.size(); ++i)
-          if (fillets_[i].body == body)
-            for (const Range &range : ranges_[i])
-              {
-                member.tension     = std::max(member.tension, range.tension);
-                member.compression = std::min(member.compression, range.compression);
-                member.range       = std::max(member.range, range.range());
-              }
-        members.push_back(member);
-      }
+    std::vector<MemberFilletStress> members;
+    const Transmission             &t = *model_.transmission;
+    for (const bool at_hub : {false, true})
+      for (const unsigned int body : {t.driver, t.driven})
+        {
+          MemberFilletStress member{model_.bodies[body].name(), at_hub};
+          bool               has_any = false;
+          for (std::size_t i = 0; i < fillets_.size(); ++i)
+            if (fillets_[i].body == body && fillets_[i].fillet.is_at_hub() == at_hub)
+              for (const Range &range : ranges_[i])
+                {
+                  has_any            = true;
+                  member.tension     = std::max(member.tension, range.tension);
+                  member.compression = std::min(member.compression, range.compression);
+                  member.range       = std::max(member.range, range.range());
+                }
+          if (has_any)
+            members.push_back(member);
+        }
     return members;
   }
 

@@ -246,8 +246,10 @@ namespace vfife
     // %.
     constexpr double layer   = .13; ///< over the module
     constexpr double grading = 4.;
-    GearCase         fine    = *this;
-    const GearPair   pair(pair_);
+    // 20 and 10 change the stress of the web's fillet at the hub by 0.4 %.
+    constexpr unsigned int web_rows = 12, fillet_rows = 6;
+    GearCase               fine = *this;
+    const GearPair         pair(pair_);
     for (unsigned int b = 0; b < 2; ++b)
       {
         const GearMember &gear      = b == 0 ? pair.pinion() : pair.gear();
@@ -255,6 +257,8 @@ namespace vfife
         body                        = coarse(body);
         body.cells_lengthwise       = cells_lengthwise;
         body.grading_towards_fillet = grading;
+        body.web_rows               = web_rows;
+        body.fillet_rows            = fillet_rows;
         body.surface_layer          = std::min(layer * outer_module(gear.blank()),
                                       find_largest_surface_layer(gear, body.fillet_corner));
       }

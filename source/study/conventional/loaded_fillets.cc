@@ -52,13 +52,14 @@ namespace vfife
     for (unsigned int b = 0; b < states.size(); ++b)
       {
         const Body                 &body    = model_.bodies[b];
-        const ToothSubmodel        &teeth   = submodels_->of_body(b);
+        const auto                 &parts   = submodels_->of_body(b);
+        const SectorSubmodel       &teeth   = parts.front();
         const Matrix3               to_body = body.placement.rotation.transpose();
         const unsigned int          first   = space.find_part(b)->first_point;
         RootSubmodels::MemberState &state   = states[b];
         state.rate                          = spins_ ? body.rate : 0.;
-        state.followed                      = [&, to_body, first](const unsigned int tooth) {
-          return teeth.follow(tooth, [&](const unsigned int node) -> Vector3 {
+        state.followed = [&, to_body, first](const std::size_t k, const unsigned int sector) {
+          return parts[k].follow(sector, [&](const unsigned int node) -> Vector3 {
             return to_body * Eigen::Map<const Vector3>(result.displacements.data() +
                                                        3 * std::size_t(first + node));
           });
@@ -96,7 +97,8 @@ namespace vfife
     const std::vector<RootStressSample> samples = stress_.measure(position, result.teeth, strains);
     add_rows(stress_columns_, position, samples, stresses_);
     for (const RootStressSample &sample : samples)
-      if (RootExtreme &largest = largest_[sample.body]; sample.tension.stress > largest.stress)
+      if (RootExtreme &largest = largest_[sample.body];
+          !Fillet::is_at_hub(sample.fillet) && sample.tension.stress > largest.stress)
         largest = sample.tension;
     add_rows(gauge_columns_, position, stress_.read_gauges(position, true, strains), gauges_);
   }

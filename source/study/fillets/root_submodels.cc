@@ -38,13 +38,28 @@ namespace vfife
   RootSubmodels::Member
   RootSubmodels::make_member(const unsigned int body, const Body &followed, const bool gauges) const
   {
-    const Body    &fine = fine_.bodies[body];
     const FemSpace sector =
       FemSpace::sector_of(fine_, body, {FemElement::quadratic, FemGeometry::curved});
-    Member                    member;
+    Member member;
+    add_submodel(SubmodelPart::teeth, sector, followed, gauges, member);
+    for (const std::string &side : Fillet::list_sides(fine_.bodies[body]))
+      if (Fillet::is_at_hub(side) && member.submodels.size() == 1)
+        add_submodel(SubmodelPart::web, sector, followed, false, member);
+    return member;
+  }
+
+  void RootSubmodels::add_submodel(const SubmodelPart part,
+                                   const FemSpace    &sector,
+                                   const Body        &followed,
+                                   const bool         gauges,
+                                   Member            &member) const
+  {
+    const Body               &fine = fine_.bodies[sector.parts().front().body];
     std::vector<PointReading> readings;
-    for (const char *side : {surface_name::concave, surface_name::convex})
+    for (const std::string &side : Fillet::list_sides(fine))
       {
+        if (Fillet::is_at_hub(side) != (part == SubmodelPart::web))
+          continue;
         const Fillet       fillet(fine, side);
         const unsigned int first = readings.size(), n_rows = fillet.end_row() - Fillet::first_row;
         for (unsigned int column = 0; column < fillet.n_columns(); ++column)
@@ -57,7 +72,8 @@ namespace vfife
                                   n_rows,
                                   first,
                                   n_points,
-                                  static_cast<unsigned int>(readings.size())});
+                                  static_cast<unsigned int>(readings.size()),
+                                  member.submodels.size()});
         for (unsigned int column = 0; column < fillet.n_columns(); ++column)
           for (unsigned int row = Fillet::first_row; row < fillet.end_row(); ++row)
             readings.push_back(read_traction(sector, fillet.facet(column, row, 0)));
@@ -71,8 +87,7 @@ namespace vfife
                 readings.push_back({{point_of(sector, fine, node), Vector3::Unit(c)}});
             }
       }
-    member.submodel = std::make_unique<const ToothSubmodel>(sector, followed, readings);
-    return member;
+    member.submodels.emplace_back(part, sector, followed, readings);
   }
 
   const RootSubmodels::FirstReadings &RootSubmodels::readings_of(const MemberFillet &member) const
@@ -85,19 +100,20 @@ namespace vfife
 
   FilletStrains RootSubmodels::of(std::array<MemberState, 2> states) const
   {
-    // Each tooth that is looked at is read once.
-    using Values = std::map<std::pair<unsigned int, unsigned int>, Eigen::VectorXd>;
+    // Each sector that is looked at is read once.
+    using Values = std::map<std::array<std::size_t, 3>, Eigen::VectorXd>;
     const auto read =
       [this,
        states = std::make_shared<const std::array<MemberState, 2>>(std::move(states)),
        known  = std::make_shared<Values>()](const unsigned int body,
+                                           const std::size_t  submodel,
                                            const unsigned int tooth) -> const Eigen::VectorXd & {
-      const auto [place, is_new] = known->try_emplace({body, tooth});
+      const auto [place, is_new] = known->try_emplace({{body, submodel, tooth}});
       if (is_new)
         {
           const MemberState &state = (*states)[body];
-          place->second =
-            state.followed(tooth) + members_[body].submodel->load(tooth, state.forces, state.rate);
+          place->second            = state.followed(submodel, tooth) +
+                          members_[body].submodels[submodel].load(tooth, state.forces, state.rate);
         }
       return place->second;
     };
@@ -106,8 +122,8 @@ namespace vfife
                                  const unsigned int  column,
                                  const unsigned int  row,
                                  const unsigned int  tooth) {
-      const Eigen::VectorXd &values = read(member.body, tooth);
       const FirstReadings   &fillet = readings_of(member);
+      const Eigen::VectorXd &values = read(member.body, fillet.submodel, tooth);
       const unsigned int     facet  = column * fillet.n_rows + row - Fillet::first_row;
       WorstStrain            worst(member.fillet.material());
       for (unsigned int i = 0; i < fillet.n_points; ++i)
@@ -120,10 +136,11 @@ namespace vfife
                                     const unsigned int  tooth) {
       const FirstReadings &fillet = readings_of(member);
       return read(member.body,
+                  fillet.submodel,
                   tooth)[fillet.tractions + column * fillet.n_rows + row - Fillet::first_row];
     };
     strains.gauge = [this, read](const MemberGauge &gauge, const unsigned int tooth) {
-      const Eigen::VectorXd &values    = read(gauge.body, tooth);
+      const Eigen::VectorXd &values    = read(gauge.body, 0, tooth);
       const BodyStructure   &structure = fine_.bodies[gauge.body].structure();
       const Matrix3          turned    = structure.turn(static_cast<int>(tooth));
       return gauge.gauge.of_displacements(
@@ -138,7 +155,11 @@ namespace vfife
 
   unsigned int RootSubmodels::n_unknowns() const
   {
-    return members_[0].submodel->n_unknowns() + members_[1].submodel->n_unknowns();
+    unsigned int n = 0;
+    for (const Member &member : members_)
+      for (const SectorSubmodel &submodel : member.submodels)
+        n += submodel.n_unknowns();
+    return n;
   }
 
   std::unique_ptr<const RootSubmodels> make_root_submodels(const Case          &pair_case,
@@ -154,11 +175,16 @@ namespace vfife
       return nullptr;
     auto submodels =
       std::make_unique<const RootSubmodels>(model, std::move(*fine), !options.gauges.empty());
-    log.line("submodels of the teeth of both members: ",
+    log.line("submodels of teeth and webs: ",
              submodels->n_unknowns(),
              " unknowns, found in ",
              seconds_since(start),
              " s");
+    for (const Body &body : model.bodies)
+      if (body.has_node_set(node_set::web_front) && !body.has_node_set(node_set::hub_fillet_front))
+        log.line(body.name(),
+                 ": no stress of the web at the hub, because a sharp corner has no finite one; set "
+                 "hub fillet radius");
     return submodels;
   }
 } // namespace vfife

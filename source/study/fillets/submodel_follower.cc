@@ -19,13 +19,14 @@ namespace vfife
       {
         const BodyStructure &structure = model.bodies[b].structure();
         Nodes               &nodes     = nodes_[b];
-        for (const unsigned int node : submodels.of_body(b).followed_nodes())
-          for (unsigned int tooth = 0; tooth < structure.n_sectors(); ++tooth)
-            nodes.followed.push_back(structure.copy(node, tooth));
+        for (const SectorSubmodel &submodel : submodels.of_body(b))
+          for (const unsigned int node : submodel.followed_nodes())
+            for (unsigned int tooth = 0; tooth < structure.n_sectors(); ++tooth)
+              nodes.followed.push_back(structure.copy(node, tooth));
         std::sort(nodes.followed.begin(), nodes.followed.end());
         nodes.followed.erase(std::unique(nodes.followed.begin(), nodes.followed.end()),
                              nodes.followed.end());
-        nodes.flanks = submodels.of_body(b).list_flank_nodes();
+        nodes.flanks = submodels.of_body(b).front().list_flank_nodes();
         nodes.place.assign(model.bodies[b].n_nodes(), 0);
         for (std::size_t i = 0; i < nodes.followed.size(); ++i)
           nodes.place[nodes.followed[i]] = i;
@@ -50,9 +51,9 @@ namespace vfife
   RootSubmodels::MemberState SubmodelFollower::follow(const State       &state,
                                                       const unsigned int body) const
   {
-    const Nodes              &nodes    = nodes_[body];
-    const ToothSubmodel      &submodel = submodels_.of_body(body);
-    const std::vector<double> x        = gather(state, state.position, body, nodes.followed);
+    const Nodes              &nodes     = nodes_[body];
+    const auto               &submodels = submodels_.of_body(body);
+    const std::vector<double> x         = gather(state, state.position, body, nodes.followed);
     Eigen::Matrix3Xd          undeformed(3, nodes.followed.size());
     for (std::size_t i = 0; i < nodes.followed.size(); ++i)
       undeformed.col(i) = model_.bodies[body].node_positions()[nodes.followed[i]];
@@ -65,15 +66,15 @@ namespace vfife
 
     RootSubmodels::MemberState member;
     member.rate     = state.measured.body_rates[body];
-    member.followed = [&submodel, &nodes, u](const unsigned int tooth) {
-      return submodel.follow(tooth, [&](const unsigned int node) -> Vector3 {
+    member.followed = [&submodels, &nodes, u](const std::size_t k, const unsigned int sector) {
+      return submodels[k].follow(sector, [&](const unsigned int node) -> Vector3 {
         return u.col(nodes.place[node]);
       });
     };
     const std::vector<double> forces = gather(state, state.contact_force, body, nodes.flanks);
     for (std::size_t i = 0; i < nodes.flanks.size(); ++i)
       if (const Eigen::Map<const Vector3> force(forces.data() + 3 * i); !force.isZero(0.))
-        submodel.add_nodal_force(nodes.flanks[i], back * force, member.forces);
+        submodels.front().add_nodal_force(nodes.flanks[i], back * force, member.forces);
     return member;
   }
 

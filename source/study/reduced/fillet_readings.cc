@@ -19,9 +19,9 @@ namespace vfife
              std::to_string(row);
     }
 
-    std::string name_of_submodel_reading(const Eigen::Index row)
+    std::string name_of_submodel_reading(const std::size_t submodel, const Eigen::Index row)
     {
-      return "submodel reading " + std::to_string(row);
+      return "submodel " + std::to_string(submodel) + " reading " + std::to_string(row);
     }
 
     std::string name_of_gauge(const MemberGauge &gauge)
@@ -132,16 +132,20 @@ namespace vfife
     };
   }
 
-  std::vector<SectorReading> list_submodel_readings(const ToothSubmodel &submodel)
+  std::vector<SectorReading> list_submodel_readings(const std::vector<SectorSubmodel> &submodels)
   {
     std::vector<SectorReading> readings;
-    const Eigen::MatrixXd     &weights = submodel.of_displacements();
-    for (Eigen::Index row = 0; row < weights.rows(); ++row)
+    for (std::size_t k = 0; k < submodels.size(); ++k)
       {
-        readings.push_back({name_of_submodel_reading(row), {}, {}});
-        for (std::size_t i = 0; i < submodel.followed_nodes().size(); ++i)
-          readings.back().weights.emplace_back(submodel.followed_nodes()[i],
-                                               weights.block<1, 3>(row, 3 * i).transpose());
+        const std::vector<unsigned int> &nodes   = submodels[k].followed_nodes();
+        const Eigen::MatrixXd           &weights = submodels[k].of_displacements();
+        for (Eigen::Index row = 0; row < weights.rows(); ++row)
+          {
+            readings.push_back({name_of_submodel_reading(k, row), {}, {}});
+            for (std::size_t i = 0; i < nodes.size(); ++i)
+              readings.back().weights.emplace_back(nodes[i],
+                                                   weights.block<1, 3>(row, 3 * i).transpose());
+          }
       }
     return readings;
   }
@@ -151,23 +155,25 @@ namespace vfife
                                           const ReducedPair   &pair)
   {
     std::array<std::vector<unsigned int>, 2> flanks;
-    std::array<unsigned int, 2>              firsts;
+    std::array<std::vector<unsigned int>, 2> firsts; ///< by submodel
     for (unsigned int b = 0; b < flanks.size(); ++b)
       {
-        flanks[b] = submodels.of_body(b).list_flank_nodes();
-        firsts[b] = pair.body(b).find_reading(name_of_submodel_reading(0));
+        flanks[b] = submodels.of_body(b).front().list_flank_nodes();
+        for (std::size_t k = 0; k < submodels.of_body(b).size(); ++k)
+          firsts[b].push_back(pair.body(b).find_reading(name_of_submodel_reading(k, 0)));
       }
     return [&model, &submodels, &pair, flanks, firsts](const State &state) {
       std::array<RootSubmodels::MemberState, 2> states;
       for (unsigned int b = 0; b < states.size(); ++b)
         {
-          const ToothSubmodel &submodel = submodels.of_body(b);
-          states[b].rate                = pair.body(b).rate;
+          const auto &parts = submodels.of_body(b);
+          states[b].rate    = pair.body(b).rate;
           states[b].followed =
-            [&submodel, first = firsts[b], read = pair.reader(b)](const unsigned int tooth) {
-              Eigen::VectorXd values(submodel.of_displacements().rows());
+            [&parts, first = firsts[b], read = pair.reader(b)](const std::size_t  k,
+                                                               const unsigned int sector) {
+              Eigen::VectorXd values(parts[k].of_displacements().rows());
               for (Eigen::Index row = 0; row < values.size(); ++row)
-                values[row] = read(first + row, tooth);
+                values[row] = read(first[k] + row, sector);
               return values;
             };
           // Forces act in the fixed frame, on the body as it has turned.
@@ -176,7 +182,7 @@ namespace vfife
             {
               const Vector3 force = state.contact_force.value(model.bodies[b].first_node + node);
               if (!force.isZero(0.))
-                submodel.add_nodal_force(node, to_body * force, states[b].forces);
+                parts.front().add_nodal_force(node, to_body * force, states[b].forces);
             }
         }
       return submodels.of(std::move(states));

@@ -23,6 +23,16 @@ namespace vfife
     heel    ///< the heel's end of the underside
   };
 
+  /** An arc in the meridian plane, about whose centre (r, z) a fillet of a web turns. */
+  struct MeridianArc
+  {
+    Vector2 centre = Vector2::Zero(); ///< [mm]
+    double  radius = 0;               ///< [mm]
+
+    /** Whether a point (r, z) is on the circle, up to round-off. */
+    bool contains(const Vector2 &r_z) const;
+  };
+
   /** A conical web between rim and hub: sizes in the meridian plane. */
   struct WebShape
   {
@@ -74,6 +84,16 @@ namespace vfife
     /** Length of the mid-surface's generatrix from wall to hub [mm]. */
     double length() const;
 
+    /** Fillets of the front (0) and the back face (1) at the rim and at the hub; none: radius 0. */
+    MeridianArc rim_fillet(unsigned int face) const
+    {
+      return rim_fillets_[face].arc();
+    }
+    MeridianArc hub_fillet(unsigned int face) const
+    {
+      return hub_fillets_[face].arc();
+    }
+
     /** Length along the axis that it takes on the hub with its fillets [mm]. */
     double foot_on_hub() const;
 
@@ -92,7 +112,8 @@ namespace vfife
       double  radius = 0;
 
       /** Distance of the arc's ends from the corner [mm]. */
-      double tangent() const;
+      double      tangent() const;
+      MeridianArc arc() const;
       /** Point of the arc: 0 on the wall, 1 on the web. */
       Vector2 point(double part) const;
     };

@@ -3,7 +3,7 @@
 #define vfife_mesh_gear_gear_manifolds_h
 
 #include <vfife/gear/gear_geometry.h>
-#include <vfife/mesh/body_mesh.h>
+#include <vfife/mesh/gear/gear_sector.h>
 
 #include <deal.II/grid/manifold.h>
 
@@ -59,11 +59,13 @@ namespace vfife
 
   /**
    * Puts manifolds on the triangulation of a gear body whose boundaries have been named
-   * (gear_boundaries()): flanks and fillets as above, everything else in cylinder coordinates about
-   * z, which keeps cones and cylinders of revolution and the tooth number's symmetry. New nodes
-   * inside a cell are deal.II's transfinite mean of its refined faces.
+   * (gear_boundaries()): flanks and fillets as above, fillets of the web on their arcs, everything
+   * else in cylinder coordinates about z, which keeps cones and cylinders of revolution and the
+   * tooth number's symmetry. New nodes inside a cell are deal.II's transfinite mean of its refined
+   * faces.
    */
-  void attach_gear_manifolds(BodyMesh &mesh, const GearGeometry &gear);
+  void
+  attach_gear_manifolds(BodyMesh &mesh, const GearGeometry &gear, const WebFillets &web_fillets);
 } // namespace vfife
 
 #endif

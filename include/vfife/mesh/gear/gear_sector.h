@@ -4,6 +4,7 @@
 
 #include <vfife/gear/gear_geometry.h>
 #include <vfife/mesh/body_mesh.h>
+#include <vfife/mesh/gear/conical_web.h>
 
 #include <array>
 #include <map>
@@ -23,6 +24,9 @@ namespace vfife
      * runs along the tooth. */
     std::vector<std::array<unsigned int, 4>> facets;
   };
+
+  /** Fillets of a web that have a radius, by the names of their node sets. */
+  using WebFillets = std::map<std::string, MeridianArc>;
 
   /** Material ids of gear bodies. */
   enum class GearRegion : unsigned int
@@ -47,6 +51,7 @@ namespace vfife
     std::map<std::string, std::vector<unsigned int>>
                            node_sets; ///< sorted, by names of node_set_names.h
     std::vector<FlankGrid> flanks;    ///< concave and convex
+    WebFillets             web_fillets;
 
     static constexpr unsigned int next_sector(const unsigned int index)
     {

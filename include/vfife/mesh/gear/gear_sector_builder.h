@@ -54,6 +54,7 @@ namespace vfife
     void         add_named_ends();
 
     void      add_web();
+    void      add_web_faces(const NodeLayer &nodes);
     NodeLayer make_web_nodes(double u, unsigned int columns);
     void      add_coarsening_row(const NodeLayer &rim_side, const NodeLayer &hub_side, double u);
     void      add_hub(const NodeLayer &web_end);
@@ -69,6 +70,9 @@ namespace vfife
     /** Centre of the slot below the tooth at L [rad]. */
     double left_angle_at(double L) const;
 
+    /** Depth of the web's last row of nodes under the outside of the hub, at a fraction of the way
+     * through the web [mm]. */
+    double  foot_dip(double x) const;
     Vector3 web_point(double u, unsigned int layer, double angle) const;
     /** Angle of equally wide columns of a layer of the web, which loses the rim's spiral on the way
      * to the hub. */

@@ -20,7 +20,7 @@ namespace vfife
   class ByteStream;
   struct Model;
 
-  /** The fillets of one side of all teeth of a member, and where they are in the model. */
+  /** The fillets of one side of all sectors of a member, and where they are in the model. */
   struct MemberFillet
   {
     unsigned int body;
@@ -66,7 +66,7 @@ namespace vfife
     double  traction = 0;               ///< along the normal, left at a tension [MPa]; 0: not known
   };
 
-  /** The fillet of one tooth at one instant or position. */
+  /** The fillet of one tooth, or sector, at one instant or position. */
   struct RootStressSample
   {
     std::string  body, fillet;
@@ -75,10 +75,12 @@ namespace vfife
     RootExtreme  tension, compression;
   };
 
-  /** The largest stresses of a member's fillets over all that has been seen [MPa]. */
-  struct MemberRootStress
+  /** The largest stresses of a member's fillets at roots of teeth, or of its web at the hub, over
+   * all that has been seen [MPa]. */
+  struct MemberFilletStress
   {
     std::string body;
+    bool        at_hub  = false;
     double      tension = 0, compression = 0;
     double      range = 0; ///< largest tension less largest compression of one facet
   };
@@ -100,8 +102,9 @@ namespace vfife
   Table make_root_section_table();
 
   /**
-   * Root stresses and gauges of a gear pair: what there is to be seen at an instant, and the
-   * envelope of the fillets over all instants and teeth seen so far.
+   * Stresses of fillets and gauges of a gear pair: what there is to be seen at an instant, and the
+   * envelope of the fillets over all instants and teeth seen so far. Fillets of webs at the hub are
+   * looked at in all sectors, and the one with the largest tension is recorded.
    */
   class RootStress
   {
@@ -134,8 +137,8 @@ namespace vfife
     /** root_sections.csv: a row a section along the face, of the facets one above the other. */
     Table sections() const;
 
-    /** Of each member, driver first. */
-    std::vector<MemberRootStress> list_members() const;
+    /** Of each member's teeth, driver first, then of their hubs. */
+    std::vector<MemberFilletStress> list_members() const;
 
     /** Passes the envelope. */
     void serialize(ByteStream &stream);

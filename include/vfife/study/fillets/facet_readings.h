@@ -2,7 +2,7 @@
 #ifndef vfife_study_fillets_facet_readings_h
 #define vfife_study_fillets_facet_readings_h
 
-#include <vfife/fem/submodel/tooth_submodel.h>
+#include <vfife/fem/submodel/sector_submodel.h>
 
 #include <array>
 #include <vector>

@@ -2,7 +2,7 @@
 #ifndef vfife_study_fillets_root_submodels_h
 #define vfife_study_fillets_root_submodels_h
 
-#include <vfife/fem/submodel/tooth_submodel.h>
+#include <vfife/fem/submodel/sector_submodel.h>
 #include <vfife/model/model.h>
 #include <vfife/output/measures/root_stress.h>
 
@@ -17,14 +17,14 @@ namespace vfife
   class Log;
   struct FilletOptions;
 
-  /** Surface strains of the fillets of a gear pair by submodels of its teeth, one of each member.
-   */
+  /** Surface strains of the fillets of a gear pair by submodels of its teeth, one of each member,
+   * and of webs that have fillets at the hub. */
   class RootSubmodels
   {
   public:
     /** @p followed: the pair with the coarser mesh, which must outlive the object; @p fine: the
      * same pair with the fine mesh. @p gauges: whether strain gauges will be read. Throws as
-     * FemSpace and ToothSubmodel. */
+     * FemSpace and SectorSubmodel. */
     RootSubmodels(const Model &followed, Model fine, bool gauges);
     RootSubmodels(const RootSubmodels &)            = delete;
     RootSubmodels &operator=(const RootSubmodels &) = delete;
@@ -35,18 +35,19 @@ namespace vfife
       return fine_;
     }
 
-    const ToothSubmodel &of_body(const unsigned int body) const
+    /** That of the teeth, and of the web where it has fillets at the hub. */
+    const std::vector<SectorSubmodel> &of_body(const unsigned int body) const
     {
-      return *members_[body].submodel;
+      return members_[body].submodels;
     }
 
     /** What a body of the pair with the coarser mesh does, in its own axes. */
     struct MemberState
     {
-      /** ToothSubmodel::follow(). */
-      std::function<Eigen::VectorXd(unsigned int tooth)> followed;
-      ToothSubmodel::ToothForces                         forces;
-      double                                             rate = 0; ///< of its spin [rad/s]
+      /** SectorSubmodel::follow(), by place in of_body(). */
+      std::function<Eigen::VectorXd(std::size_t submodel, unsigned int sector)> followed;
+      SectorSubmodel::ToothForces                                               forces;
+      double rate = 0; ///< of its spin [rad/s]
     };
 
     /** By body; they are taken along. */
@@ -64,16 +65,23 @@ namespace vfife
       unsigned int facets;            ///< n_points strains of each, column by column
       unsigned int n_points;
       unsigned int tractions; ///< one of each facet
+      std::size_t  submodel;  ///< of which they are
     };
     struct Member
     {
       std::vector<FirstReadings>           fillets;
       std::map<unsigned int, unsigned int> nodes; ///< first of a node's displacement, by node
-      std::unique_ptr<const ToothSubmodel> submodel;
+      std::vector<SectorSubmodel>          submodels;
     };
 
     const FirstReadings &readings_of(const MemberFillet &member) const;
     Member               make_member(unsigned int body, const Body &followed, bool gauges) const;
+    /** Adds the submodel of a part. */
+    void add_submodel(SubmodelPart    part,
+                      const FemSpace &sector,
+                      const Body     &followed,
+                      bool            gauges,
+                      Member         &member) const;
 
     Model                 fine_;
     std::array<Member, 2> members_;

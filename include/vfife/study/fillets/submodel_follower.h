@@ -29,8 +29,8 @@ namespace vfife
     /** Of one body. */
     struct Nodes
     {
-      std::vector<unsigned int> followed, flanks;
-      std::vector<unsigned int> place; ///< by node, among those followed
+      std::vector<unsigned int> followed, flanks; ///< by all submodels; of the teeth
+      std::vector<unsigned int> place;            ///< by node, among those followed
     };
 
     /** Values of nodes of a body from all ranks, 3 each. */

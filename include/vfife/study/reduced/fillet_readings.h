@@ -9,7 +9,7 @@ namespace vfife
 {
   class ReducedPair;
   class RootSubmodels;
-  class ToothSubmodel;
+  class SectorSubmodel;
 
   /** Strains of the facets of both fillets, three components each, and of gauges: readings of a
    * sector of @p body. Linear in small displacements, so their weights are what unit displacements
@@ -21,8 +21,8 @@ namespace vfife
    */
   FilletMeasure measure_fillet_readings(const ReducedPair &pair);
 
-  /** The same by submodels: ToothSubmodel::follow() of tooth 0. */
-  std::vector<SectorReading> list_submodel_readings(const ToothSubmodel &submodel);
+  /** The same by submodels: SectorSubmodel::follow() of tooth 0. */
+  std::vector<SectorReading> list_submodel_readings(const std::vector<SectorSubmodel> &submodels);
 
   /** Of a pair whose bodies have those. All that is given must outlive the function. */
   FilletMeasure measure_submodel_readings(const Model         &model,

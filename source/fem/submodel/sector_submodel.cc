@@ -6,7 +6,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/contact/surface/facet_quadrature.h>
 #include <vfife/fem/statics/facet_parts.h>
-#include <vfife/fem/submodel/tooth_submodel.h>
+#include <vfife/fem/submodel/sector_submodel.h>
 #include <vfife/fem/system/load_forces.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/mesh/node_set_names.h>
@@ -56,27 +56,30 @@ namespace vfife
     }
   } // namespace
 
-  ToothSubmodel::ToothSubmodel(const FemSpace                  &sector,
-                               const Body                      &followed,
-                               const std::vector<PointReading> &readings)
+  SectorSubmodel::SectorSubmodel(const SubmodelPart               part,
+                                 const FemSpace                  &sector,
+                                 const Body                      &followed,
+                                 const std::vector<PointReading> &readings)
     : followed_(&followed)
   {
-    const FemSpace::Part &part = sector.parts().front();
-    const Body           &fine = sector.model().bodies[part.body];
+    const Body &fine = sector.model().bodies[sector.parts().front().body];
     if (fine.structure().n_sectors() != followed.structure().n_sectors())
       throw InputError("body \"" + followed.name() + "\" has " +
                        std::to_string(followed.structure().n_sectors()) +
                        " sectors, the fine mesh of its submodel has " +
                        std::to_string(fine.structure().n_sectors()));
-    const SectorStrip            strip(sector);
+    const SectorStrip            strip(sector, part);
     const SectorStrip::Influence influence = strip.find_influence(readings);
     n_unknowns_                            = strip.n_unknowns();
-    find_flanks(sector);
-    find_node_shares();
-    of_spin_ = influence.of_forces * strip.compute_spin_forces();
-    for (int turned = -SectorStrip::beside; turned <= SectorStrip::beside; ++turned)
+    of_spin_                               = influence.of_forces * strip.compute_spin_forces();
+    if (part == SubmodelPart::teeth)
       {
-        Eigen::MatrixXd &of_forces = of_forces_[SectorStrip::beside + turned];
+        find_flanks(sector);
+        find_node_shares();
+      }
+    for (int turned = -1; turned <= 1; ++turned)
+      {
+        Eigen::MatrixXd &of_forces = of_forces_[1 + turned];
         of_forces.setZero(readings.size(), 3 * flank_points_.size());
         for (std::size_t i = 0; i < flank_points_.size(); ++i)
           if (const unsigned int p = strip.number(turned, flank_points_[i]); p != SectorStrip::none)
@@ -102,7 +105,7 @@ namespace vfife
       }
   }
 
-  void ToothSubmodel::find_flanks(const FemSpace &sector)
+  void SectorSubmodel::find_flanks(const FemSpace &sector)
   {
     const FemSpace::Part                &part    = sector.parts().front();
     const Body                          &fine    = sector.model().bodies[part.body];
@@ -130,8 +133,8 @@ namespace vfife
           }
   }
 
-  ToothSubmodel::FacePlace ToothSubmodel::find_on_flank(const std::string &surface,
-                                                        const Vector3     &place) const
+  SectorSubmodel::FacePlace SectorSubmodel::find_on_flank(const std::string &surface,
+                                                          const Vector3     &place) const
   {
     double           least = std::numeric_limits<double>::infinity();
     const FlankFace *found = nullptr;
@@ -152,7 +155,7 @@ namespace vfife
     return {found, face_shapes(degree, at)};
   }
 
-  void ToothSubmodel::find_node_shares()
+  void SectorSubmodel::find_node_shares()
   {
     // The meshes do not match, so many points.
     constexpr unsigned int points_per_facet = 6;
@@ -189,16 +192,16 @@ namespace vfife
     node_shares_ = means.find();
   }
 
-  Eigen::VectorXd &ToothSubmodel::forces_of(const unsigned int tooth, ToothForces &forces) const
+  Eigen::VectorXd &SectorSubmodel::forces_of(const unsigned int tooth, ToothForces &forces) const
   {
     return forces.try_emplace(tooth, Eigen::VectorXd::Zero(3 * flank_points_.size())).first->second;
   }
 
-  void ToothSubmodel::add_force(const std::string &surface,
-                                const unsigned int tooth,
-                                const Vector3     &place,
-                                const Vector3     &force,
-                                ToothForces       &forces) const
+  void SectorSubmodel::add_force(const std::string &surface,
+                                 const unsigned int tooth,
+                                 const Vector3     &place,
+                                 const Vector3     &force,
+                                 ToothForces       &forces) const
   {
     const Matrix3    back = followed_->structure().turn(-static_cast<int>(tooth));
     const FacePlace  foot = find_on_flank(surface, back * place);
@@ -207,9 +210,9 @@ namespace vfife
       own.segment<3>(3 * foot.first->points[a]) += foot.second[a] * (back * force);
   }
 
-  void ToothSubmodel::add_nodal_force(const unsigned int node,
-                                      const Vector3     &force,
-                                      ToothForces       &forces) const
+  void SectorSubmodel::add_nodal_force(const unsigned int node,
+                                       const Vector3     &force,
+                                       ToothForces       &forces) const
   {
     const BodyStructure &structure = followed_->structure();
     const auto           shares    = node_shares_.find(structure.first_copy(node));
@@ -222,7 +225,7 @@ namespace vfife
       all.segment<3>(3 * point) += weight * own;
   }
 
-  std::vector<unsigned int> ToothSubmodel::list_flank_nodes() const
+  std::vector<unsigned int> SectorSubmodel::list_flank_nodes() const
   {
     std::vector<unsigned int> nodes;
     for (unsigned int tooth = 0; tooth < followed_->structure().n_sectors(); ++tooth)
@@ -231,7 +234,7 @@ namespace vfife
     return nodes;
   }
 
-  Eigen::VectorXd ToothSubmodel::follow(const unsigned int tooth, const NodeDisplacement &u) const
+  Eigen::VectorXd SectorSubmodel::follow(const unsigned int tooth, const NodeDisplacement &u) const
   {
     const Matrix3   back = followed_->structure().turn(-static_cast<int>(tooth));
     Eigen::VectorXd own(3 * nodes_.size());
@@ -241,13 +244,12 @@ namespace vfife
   }
 
   Eigen::VectorXd
-  ToothSubmodel::load(const unsigned int tooth, const ToothForces &forces, const double rate) const
+  SectorSubmodel::load(const unsigned int tooth, const ToothForces &forces, const double rate) const
   {
     Eigen::VectorXd    values = rate * rate * of_spin_;
     const unsigned int n      = followed_->structure().n_sectors();
     for (unsigned int k = 0; k < of_forces_.size(); ++k)
-      if (const auto found = forces.find((tooth + n + k - SectorStrip::beside) % n);
-          found != forces.end())
+      if (const auto found = forces.find((tooth + n + k - 1) % n); found != forces.end())
         values += of_forces_[k] * found->second;
     return values;
   }

@@ -1,8 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_fem_submodel_tooth_submodel_h
-#define vfife_fem_submodel_tooth_submodel_h
+#ifndef vfife_fem_submodel_sector_submodel_h
+#define vfife_fem_submodel_sector_submodel_h
 
 #include <vfife/fem/submodel/point_reading.h>
+#include <vfife/fem/submodel/submodel_part.h>
 #include <vfife/fem/system/fem_space.h>
 
 #include <array>
@@ -14,25 +15,26 @@
 namespace vfife
 {
   /**
-   * A fine mesh of a tooth, the halves beside it and their rim that follows a gear body with a
-   * coarser mesh: a submodel. Where the teeth are cut from the rest of the body, they have the
-   * displacements of the body; the forces on the flanks act on the fine mesh. Stresses at fillets
-   * then have the error of the fine mesh (doc/theory/stress.md, Submodel). What is read of tooth 0,
-   * the middle one, is linear in displacements of the body's nodes and in forces, so it is solved
-   * for once; other teeth are turned copies.
+   * A fine mesh of a part of a gear body that follows the body with a coarser mesh: a submodel.
+   * Where the part is cut from the rest of the body, it has the displacements of the body; the
+   * forces on its flanks act on the fine mesh. Stresses at fillets then have the error of the fine
+   * mesh (doc/theory/stress.md, Submodel). What is read of sector 0, the middle one, is linear in
+   * displacements of the body's nodes and in forces, so it is solved for once; other sectors are
+   * turned copies.
    */
-  class ToothSubmodel
+  class SectorSubmodel
   {
   public:
     /**
-     * @p sector: FemSpace::sector_of() the fine body, of which the elements of teeth and rim are
-     * taken; @p followed: the body with the coarser mesh, in the same axes, with as many sectors;
-     * @p readings of points of the sector, in axes of the body.
+     * @p sector: FemSpace::sector_of() the fine body, of which the elements of the part are taken;
+     * @p followed: the body with the coarser mesh, in the same axes, with as many sectors; @p
+     * readings of points of the sector, in axes of the body.
      * Throws InputError where the bodies do not go together.
      */
-    ToothSubmodel(const FemSpace                  &sector,
-                  const Body                      &followed,
-                  const std::vector<PointReading> &readings);
+    SectorSubmodel(SubmodelPart                     part,
+                   const FemSpace                  &sector,
+                   const Body                      &followed,
+                   const std::vector<PointReading> &readings);
 
     /** Forces on the teeth, each in the axes of tooth 0: those of its copies turned back. */
     using ToothForces = std::map<unsigned int, Eigen::VectorXd>;
