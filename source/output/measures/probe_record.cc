@@ -45,12 +45,13 @@ namespace vfife
   {
     std::ostringstream text;
     text << name << ": largest von Mises stress of the record " << figure_text(peak) << " MPa at "
-         << figure_text(1e3 * peak_time) << " ms; in one revolution (all images at the end) "
-         << figure_text(largest) << " MPa, " << figure_text(std::abs(largest_after_mesh))
-         << " mesh cycles " << (largest_after_mesh < 0 ? "before" : "after") << " contact, median "
+         << figure_text(1e3 * peak_time)
+         << " ms; in one revolution (all sectors at the last instant) " << figure_text(largest)
+         << " MPa, " << figure_text(std::abs(largest_after_mesh)) << " mesh cycles "
+         << (largest_after_mesh < 0 ? "before" : "after") << " contact, median "
          << figure_text(median) << " MPa; ";
     if (has_peak && has_median)
-      text << "both values occur in the record";
+      text << "the record has this largest value and the median";
     else if (has_peak)
       text << "the record has the peak, but ends or begins before it falls to the median (least "
            << figure_text(least) << " MPa)";

@@ -27,9 +27,9 @@ namespace vfife
   std::string NearestWave::describe() const
   {
     std::ostringstream text;
-    text << describe_wave(meeting) << ", order " << meeting.mesh_order << ", " << std::fixed
+    text << describe_wave(meeting) << ", mesh order " << meeting.mesh_order << ", " << std::fixed
          << std::setprecision(0) << speed * 30. / pi << " rpm, " << std::setprecision(1)
-         << 100. * distance << " %";
+         << 100. * distance << " % from the operating speed";
     return text.str();
   }
 

@@ -60,10 +60,10 @@ RUN_PLOTS = (
     PlotRow("model_probes.svg", (has_model_probes,), histories.draw_model_probes,
             "Displacements and von Mises stresses of the probes.", "Motion of the probes"),
     PlotRow("rim_content.svg", (has_rim,), rim.draw_rim_content,
-            "Displacement of the rim by nodal diameters: part that is stationary in the fixed frame, as the load is, and remainder.",
+            "Displacement of the rim by nodal diameters: static part in the fixed frame, caused by the load, and vibration.",
             "Motion of the rim"),
     PlotRow("rim_history.svg", (has_rim,), rim.draw_rim_history,
-            "Axial waves of the rim, without the part that is stationary in the fixed frame.", "Motion of the rim"),
+            "Axial waves of the rim, without the static part in the fixed frame.", "Motion of the rim"),
     PlotRow("rim_waves.svg", (has_rim_over_meshes,), rim.draw_rim_waves,
             "Spectra of the axial waves of the rim by direction of travel.", "Motion of the rim"),
     PlotRow("energies.svg", (has_history,), histories.draw_energies,
@@ -200,7 +200,7 @@ STUDY_PLOTS = (
     PlotRow("probes.svg", (has_pairs_with("probes"),), comparisons.draw_probes,
             "Von Mises stress at the probes over the time from the peak.", "Stresses"),
     PlotRow("rim_content.svg", (has_pairs_with("rim"),), comparisons.draw_rim_content,
-            "Motion of the rim by nodal diameters: part that is stationary in the fixed frame, as the load is, and remainder.",
+            "Motion of the rim by nodal diameters: static part in the fixed frame, caused by the load, and vibration.",
             "Motion of the rim"),
 )
 

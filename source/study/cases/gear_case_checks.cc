@@ -104,7 +104,8 @@ namespace vfife
                     seen.facet,
                     " mm are wider than the Hertzian contact of ",
                     width,
-                    " mm: forces are meaningful, pressures and subsurface stresses are not");
+                    " mm: forces and Hertzian pressures are usable, nodal pressures and stresses "
+                    "under the contact are not");
       return "";
     }
 

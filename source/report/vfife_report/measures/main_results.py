@@ -17,7 +17,7 @@ def describe_ripple(run, quantity):
     """For a run: whether it is steady in time, and the part of the contact points."""
     words = {True: "steady in time", False: "not steady in time", None: "not judged in time"}[run.is_ripple_steady()]
     part = run.summary.get("figures", {}).get(f"{quantity} by the contact points")
-    return f"{words}; mesh error unknown with one mesh" + (f"; the contact points cause {part['value']:.2g} {part['unit']}" if part else "")
+    return f"{words}; mesh error unknown with one mesh" + (f"; contact points contribute {part['value']:.2g} {part['unit']}" if part else "")
 
 
 def describe_mean(run):

@@ -52,7 +52,7 @@ def list_tooth_quantities(run):
     if pressure is not None:
         yield "largest contact pressure (Hertz, inside the flanks)", pressure, "MPa"
         if allowed:
-            yield "allowed contact pressure", allowed, "MPa"
+            yield "contact stress limit (input)", allowed, "MPa"
     frequency = run.value("mesh frequency")
     if frequency and one.whole:
         time = run.teeth["time"][one.rows]

@@ -4,6 +4,7 @@ import numpy as np
 
 from ..data.columns import JUDGED
 from ..data.needs import has_pair, has_probes, has_rim_over_meshes
+from ..measures.accuracy import FREQUENCY_ERROR
 from ..measures.checks import list_checks
 from ..measures.passages import DURATION_LEVEL_IN_WORDS, find_passages
 from ..measures.periodicity import measure_column
@@ -17,6 +18,7 @@ from .parts import EXACT, Cells, Paragraph, list_values
 from .result_chapters import TRUST
 from .words import FINDINGS, RECORD_ONLY, list_case_rows, list_geometry_rows, list_model_rows
 
+LARGEST_FREQUENCY_ERROR = 3.  # of waves by 8-node elements [%], FREQUENCY_ERROR
 SOLVED = 1e-5  # of the largest: what equations of an equilibrium are solved to
 
 
@@ -24,7 +26,7 @@ def tell_case(run, plots):
     yield Cells(["", "value used"], list(list_case_rows(run)))
     if run.geometry:
         yield Cells(["geometry", "unit", "pinion", "gear"], list(list_geometry_rows(run.geometry)),
-                    "Values are given, derived or proposed. The first rows are for the pair as a whole.", digits=EXACT)
+                    "Input values and values derived from them. The first rows are for the pair as a whole.", digits=EXACT)
     yield Cells(["part of the model", "name", "kind", "parameters"], list(list_model_rows(run)),
                 "The last column lists the parameters that differ from their defaults (doc/parameter_reference.md).")
     # A comparison's case is that of each of its cases.
@@ -36,9 +38,12 @@ def tell_case(run, plots):
 def tell_quantities(run, plots):
     rows = [[name, value, unit, remark(run, name)] for name, value, unit in list_quantities(run)]
     marked = any(row[-1] for row in rows)
-    nearest = run.summary.get("nearest wave")
+    nearest, distance = run.summary.get("nearest wave"), run.stated.get("distance of the speed of operation from the nearest wave")
     if nearest:
-        yield Paragraph(f"Wave resonance nearest to the operating speed, mesh orders 1 to 3: {nearest}.")
+        at_resonance = distance is not None and abs(distance["value"]) < LARGEST_FREQUENCY_ERROR
+        yield Paragraph(f"Wave resonance of the loaded pair nearest to the operating speed, mesh orders 1 to 3: {nearest}. "
+                        f"Natural frequencies are {FREQUENCY_ERROR[1]}."
+                        + " The operating speed is within this error." * at_resonance, "alarm" if at_resonance else "")
     if run.is_ripple_steady() is False:
         yield Paragraph(f"The ripple is not steady. {RECORD_ONLY}", "alarm")
     defined = "doc/reference/report.md defines the quantities."
@@ -86,12 +91,12 @@ def tell_spectra(run, plots):
                 "Sidebands one shaft rotation below and above the mesh harmonics (Hann window).")
     yield Paragraph(describe_resolution(run), "soft")
     found = [(column, measure_column(run, column)) for column in JUDGED]
-    yield Cells(["history", "unit", "mesh cycles", "ripple", "remainder", "change, rms", "change, largest",
-                 "trend per mesh cycle", "periodic share [%]"],
+    yield Cells(["history", "unit", "mesh cycles", "peak to peak of the mean mesh cycle", "standard deviation about it",
+                 "change, rms", "change, largest", "trend per mesh cycle", "periodic share of the variance [%]"],
                 [[column, run.history.units[column], p.meshes, p.ripple, p.remainder, p.change,
                   p.largest_change, p.trend, 100 * p.periodic_share] for column, p in found if p],
-                "Differences of the mesh cycles: peak to peak of the mean mesh cycle, standard deviation of the remainder, "
-                "change between successive mesh cycles.")
+                "Differences of the mesh cycles. The mean mesh cycle is the periodic part of the ripple. The change is that between "
+                "successive mesh cycles.")
 
 
 def tell_probes(run, plots):
@@ -101,14 +106,15 @@ def tell_probes(run, plots):
         yield Cells(["quantity at the probe", *run.probes["probe"]],
                     [[run.probes.label(name), *map(float, suppress_rounding(run.probes, name))] for name in shown])
         return
-    yield Cells(["probe", "peak [MPa]", "time of the peak [ms]", "least [MPa]", "steady [MPa]", "passage", "duration [ms]", "record"],
-                [[name, p.peak, 1e3 * p.peak_time, p.least, p.steady, "dip" if p.is_dip else "rise",
+    yield Cells(["probe", "peak [MPa]", "time of the peak [ms]", "least [MPa]", "median [MPa]", "deviation in the gear mesh",
+                 "duration [ms]", "record"],
+                [[name, p.peak, 1e3 * p.peak_time, p.least, p.steady, "decrease" if p.is_dip else "increase",
                   1e3 * p.duration if p.whole else None,
-                  "whole passage" if p.whole else "part of the passage"]
+                  "whole deviation" if p.whole else "part of the deviation"]
                  for name, p in find_passages(run)],
-                "Peak and least value cover the whole record. The steady stress is the median of one rotation. Without images of the "
-                "probe in all sectors it is the median outside the passage. The passage surrounds the largest deviation from the "
-                f"steady stress, a rise or a dip. It lasts while the deviation exceeds {DURATION_LEVEL_IN_WORDS} of the largest.")
+                "Peak and least value cover the whole record. The median is that of one rotation. If the probe is not recorded in all "
+                "sectors, the median excludes the time in the gear mesh. The duration is the time in which the deviation from the "
+                f"median exceeds {DURATION_LEVEL_IN_WORDS} of the largest.")
     for probe in run.summary.get("probes", {}).values():
         yield Paragraph(probe["explanation"] + ".")
 

@@ -33,7 +33,7 @@ def tell_variants(study, plots):
     yield Cells(["variant", "folder"] + [name.split("/")[-1] for name in names] + ["status"], rows)
     alike, different = split_geometry(study)
     yield Cells(["geometry of all variants", "unit", "pinion", "gear"], alike,
-                "Values are given, derived or proposed. The first rows are for the pair as a whole.", digits=EXACT)
+                "Input values and values derived from them. The first rows are for the pair as a whole.", digits=EXACT)
     yield Cells(["geometry", "variant", "unit", "pinion", "gear"], different, "Geometry that differs between variants.", digits=EXACT)
     edges = [v.name for v in study.variants if v.run.edge_contact and v.run.edge_contact["edge contact"]]
     if edges:

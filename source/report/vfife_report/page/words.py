@@ -83,6 +83,9 @@ def list_case_rows(run):
             yield name.format(driven=name_driven(parameters)), ", ".join(values)
     yield from list_sweep_rows(parameters)
     yield from list_error_rows(run)
+    mesh = parameters.get("Gear pair/mesh")
+    if mesh and mesh != "none":
+        yield "mesh", mesh
     web = describe_web(parameters)
     if web.startswith("web"):
         body = GEAR + "Body/"

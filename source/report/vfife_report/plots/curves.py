@@ -10,7 +10,7 @@ GROUPS = (("root stresses", ("root tension", "root compression", "root stress ra
           ("von Mises stresses, largest", ("von Mises largest",)))
 LINES = ("-", "--", ":")  # where there are more curves than colours
 NOT_DRAWN = ("trend per mesh cycle", "change between mesh cycles (rms)", "periodic share of the variance",
-             "duration of the passage", "contact duration", "allowed contact pressure")
+             "duration of the passage", "contact duration", "contact stress limit (input)")
 
 
 def is_wide(values):

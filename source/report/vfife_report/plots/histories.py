@@ -25,7 +25,7 @@ def mark_steady_part(run, axes):
         start, end, found = part
         axes.axvspan(1e3 * start, 1e3 * end, color=PALE, zorder=0)
         text = "last third (not steady)" if not found else (
-            "steady means, unsteady ripple" if run.is_ripple_steady() is False else "steady part")
+            "means steady, ripple not steady" if run.is_ripple_steady() is False else "steady part")
         axes.annotate(text, (1e3 * start, 1),
                       xycoords=("data", "axes fraction"), xytext=(3, -10),
                       textcoords="offset points", fontsize=8, color=GREY)
