@@ -7,7 +7,6 @@
 #include <vfife/study/sweep/error_bars.h>
 #include <vfife/study/sweep/history_figure.h>
 
-#include <memory>
 #include <string>
 #include <vector>
 
