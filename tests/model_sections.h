@@ -17,6 +17,36 @@ namespace model_text
     return "subsection " + title + "\n" + entries + "end\n";
   }
 
+  inline std::string study(const std::string &kind)
+  {
+    return section("Study", "set kind = " + kind + "\n");
+  }
+
+  /** Of a loaded tooth contact analysis, with @p more entries. */
+  inline std::string loaded_contact(const unsigned int positions, const std::string &more = "")
+  {
+    return study("loaded tooth contact analysis") +
+           section("Loaded contact", "set positions = " + std::to_string(positions) + "\n" + more);
+  }
+
+  /** A bar that is pulled does not contract. */
+  inline std::string no_contraction()
+  {
+    return section("Material steel", "set Poisson's ratio = 0\n");
+  }
+
+  /** Section Dynamics with the tolerance of equilibria and @p more entries. */
+  inline std::string relaxation(const std::string &tolerance, const std::string &more = "")
+  {
+    return section("Dynamics", more + section("Relaxation", "set tolerance = " + tolerance + "\n"));
+  }
+
+  /** Section Dynamics of a run that takes a step, with @p more entries. */
+  inline std::string one_step(const std::string &more = "")
+  {
+    return section("Dynamics", "set end time = 1\nset maximum number of steps = 1\n" + more);
+  }
+
   /** From the origin: [mm] and cells along x, y and z. */
   inline std::string block(const std::string &name,
                            const Sizes       &size,
@@ -55,6 +85,12 @@ namespace model_text
     return section("Probe " + name, "set point = " + point + "\nset axes = " + axes + "\n");
   }
 } // namespace model_text
+
+/** A section Output that says nothing on the screen. */
+inline std::string quiet_output()
+{
+  return "subsection Output\n set verbosity = quiet\nend\n";
+}
 
 /** A section Output that writes its histories every so many steps and nothing else. */
 inline std::string quiet_output(const unsigned int history_every)

@@ -3,7 +3,6 @@
 #include <vfife/contact/contact.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <limits>
 

@@ -5,7 +5,6 @@
 #include <vfife/contact/search/carried_area.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace vfife

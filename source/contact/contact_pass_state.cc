@@ -4,7 +4,6 @@
 #include <vfife/contact/contact_pass.h>
 
 #include <cmath>
-#include <utility>
 
 namespace vfife
 {

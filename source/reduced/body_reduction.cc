@@ -1,21 +1,69 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include "matrix_stream.h"
-#include "residual_sum.h"
 #include "ring_parts.h"
 
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
+#include <vfife/base/types.h>
 #include <vfife/fem/cyclic/cyclic_harmonic.h>
 #include <vfife/reduced/body_reduction.h>
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <vector>
 
 namespace vfife
 {
   namespace
   {
+    /**
+     * Sums phasors of the harmonics to what a unit force on sector 0 alone does on sectors around
+     * it: f on one of N sectors is the sum of w_h Re(f exp(i h d alpha)) over h = 0 ... N/2, with
+     * w_h = 1/N at both ends and 2/N between them. Columns are forces, which are the first rows.
+     */
+    class ResidualSum
+    {
+    public:
+      ResidualSum(unsigned int n_sectors,
+                  unsigned int reach,
+                  unsigned int n_rows,
+                  unsigned int n_columns);
+
+      /** Phasors of a harmonic: @p answers to forces on all sectors, less the part of @p modes
+       * under a force on one sector. */
+      void
+      add(unsigned int harmonic, const Eigen::MatrixXcd &answers, const Eigen::MatrixXcd &modes);
+
+      /** Over the ranks. Collective. */
+      void sum(const Communicator &communicator);
+
+      /** By sector, -reach first. */
+      std::vector<Eigen::MatrixXd> take_near()
+      {
+        return std::move(near_);
+      }
+      /** The sum over all sectors. */
+      const Eigen::MatrixXd &summed() const
+      {
+        return summed_;
+      }
+      /** Largest entry at the forces' rows on sectors beyond the reach over that within, among a
+       * sample of the forces. */
+      double left() const;
+
+    private:
+      unsigned int                 n_sectors_, reach_;
+      std::vector<int>             sample_; ///< forces, three by three
+      std::vector<Eigen::MatrixXd> near_, far_;
+      Eigen::MatrixXd              summed_;
+    };
+
+    /** Nodes whose flexibility is followed all around the body. */
+    constexpr unsigned int largest_sample = 32;
+
     /** Throws InputError for nodes that cannot be meant. */
     void check_nodes(const Body                       &body,
                      const std::vector<unsigned int>  &touch_nodes,
@@ -204,6 +252,71 @@ namespace vfife
                 [](const auto &a, const auto &b) { return a.number < b.number; });
     }
   } // namespace
+
+  ResidualSum::ResidualSum(const unsigned int n_sectors,
+                           const unsigned int reach,
+                           const unsigned int n_rows,
+                           const unsigned int n_columns)
+    : n_sectors_(n_sectors)
+    , reach_(std::min(reach, n_sectors / 2))
+    , near_(2 * reach_ + 1, Eigen::MatrixXd::Zero(n_rows, n_columns))
+    , summed_(Eigen::MatrixXd::Zero(n_rows, n_columns))
+  {
+    const unsigned int n_nodes = n_columns / 3, n = std::min(n_nodes, largest_sample);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int c = 0; c < 3; ++c)
+        sample_.push_back(3 * (i * n_nodes / n) + c);
+    if (2 * reach_ + 1 < n_sectors)
+      far_.assign(n_sectors - 2 * reach_ - 1,
+                  Eigen::MatrixXd::Zero(sample_.size(), sample_.size()));
+  }
+
+  void ResidualSum::add(const unsigned int      harmonic,
+                        const Eigen::MatrixXcd &answers,
+                        const Eigen::MatrixXcd &modes)
+  {
+    const bool             is_end = harmonic == 0 || 2 * harmonic == n_sectors_;
+    const Eigen::MatrixXcd rest   = (is_end ? 1. : 2.) / n_sectors_ * answers - modes;
+    const double           angle  = harmonic * 2. * pi / n_sectors_;
+    // Re(z exp(i phi)) = a cos(phi) - b sin(phi)
+    for (int d = -int(reach_); d <= int(reach_); ++d)
+      // Half a turn away lies one sector in both senses.
+      if (2 * d != -int(n_sectors_))
+        near_[d + reach_] += std::cos(d * angle) * rest.real() - std::sin(d * angle) * rest.imag();
+    if (harmonic == 0)
+      summed_ = n_sectors_ * rest.real();
+    if (far_.empty())
+      return;
+    Eigen::MatrixXcd part(sample_.size(), sample_.size());
+    for (std::size_t i = 0; i < sample_.size(); ++i)
+      for (std::size_t k = 0; k < sample_.size(); ++k)
+        part(i, k) = rest(sample_[i], sample_[k]);
+    for (std::size_t k = 0; k < far_.size(); ++k)
+      {
+        const double phase = (reach_ + 1. + k) * angle;
+        far_[k] += std::cos(phase) * part.real() - std::sin(phase) * part.imag();
+      }
+  }
+
+  void ResidualSum::sum(const Communicator &communicator)
+  {
+    for (auto *const matrices : {&near_, &far_})
+      for (Eigen::MatrixXd &matrix : *matrices)
+        communicator.sum(matrix.data(), matrix.size());
+    communicator.sum(summed_.data(), summed_.size());
+  }
+
+  double ResidualSum::left() const
+  {
+    double within = 0, beyond = 0;
+    for (const Eigen::MatrixXd &matrix : near_)
+      for (const int i : sample_)
+        for (const int k : sample_)
+          within = std::max(within, std::abs(matrix(i, k)));
+    for (const Eigen::MatrixXd &matrix : far_)
+      beyond = std::max(beyond, matrix.cwiseAbs().maxCoeff());
+    return within > 0 ? beyond / within : 0.;
+  }
 
   ReducedBody reduce_body(const Model                     &model,
                           const unsigned int               body,

@@ -132,11 +132,6 @@ namespace vfife
     return wave.direction == WaveDirection::backward ? int(mesh_order) : -int(mesh_order);
   }
 
-  double WaveMeeting::width(const double zeta) const
-  {
-    return 2. * wave.damping_ratio(zeta) / (1. - stiffening);
-  }
-
   WaveMeeting find_wave_meeting(const ReducedBody &body,
                                 const BodyWave    &wave,
                                 const unsigned int mesh_order,

@@ -3,7 +3,6 @@
 
 #include <vfife/base/errors.h>
 #include <vfife/model/state.h>
-#include <vfife/reduced/pair_readings.h>
 
 #include <algorithm>
 #include <cmath>

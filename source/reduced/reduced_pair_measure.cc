@@ -7,7 +7,6 @@
 #include <vfife/reduced/pair_readings.h>
 
 #include <algorithm>
-#include <cmath>
 #include <complex>
 
 namespace vfife

@@ -17,7 +17,6 @@
 #include <vfife/reduced/resonance/nearest_wave.h>
 #include <vfife/study/nearest_wave_summary.h>
 
-#include <cmath>
 #include <string>
 #include <utility>
 

@@ -1,19 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/study/benchmark/benchmark_study.h>
-#include <vfife/study/compare/compare_study.h>
-#include <vfife/study/conventional/linear_static_study.h>
 #include <vfife/study/conventional/loaded_contact_study.h>
-#include <vfife/study/conventional/modal_study.h>
-#include <vfife/study/gear/flank_fit_study.h>
-#include <vfife/study/gear/lumped_study.h>
-#include <vfife/study/gear/mesh_study.h>
-#include <vfife/study/gear/tooth_contact_study.h>
 #include <vfife/study/reduced/reduced_study.h>
 #include <vfife/study/run/run_study.h>
-#include <vfife/study/run/static_study.h>
 #include <vfife/study/study_kinds.h>
-#include <vfife/study/sweep/sweep_study.h>
-#include <vfife/study/waves/waves_study.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -99,12 +99,12 @@ void check_log()
   check("screen", screen.str() == "mass 3.5 kg\nwarning: web is thin\nwarning: quiet\n");
   check("file", file.str() == "mass 3.5 kg\nwarning: web is thin\nend\nwarning: quiet\n");
   check("warnings",
-        log.n_warnings() == 4 && log.warnings().size() == 2 && log.warnings()[0].count == 3);
+        log.warnings().size() == 2 && log.warnings()[0].count == 3 && log.warnings()[1].count == 1);
 
   Log other(other_screen, false);
   other.line("nothing");
   other.warning("kept");
-  check("other ranks are silent", other_screen.str().empty() && other.n_warnings() == 1);
+  check("other ranks are silent", other_screen.str().empty() && other.warnings().size() == 1);
 }
 
 void check_timers()

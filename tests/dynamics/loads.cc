@@ -12,7 +12,6 @@
 #include <vfife/dynamics/operator/vfife_operator.h>
 #include <vfife/mesh/primitives/primitives.h>
 
-#include <algorithm>
 #include <functional>
 #include <numeric>
 

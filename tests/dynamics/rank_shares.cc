@@ -4,7 +4,6 @@
 
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/mpi_session.h>
-#include <vfife/dynamics/operator/pack_layout.h>
 #include <vfife/dynamics/operator/rank_shares.h>
 #include <vfife/dynamics/operator/vfife_operator.h>
 #include <vfife/mesh/body_mesh.h>

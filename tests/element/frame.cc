@@ -11,8 +11,6 @@
 
 #include <Eigen/LU>
 
-#include <algorithm>
-
 using namespace vfife;
 
 namespace

@@ -7,8 +7,6 @@
 
 #include <vfife/fem/distributed/distributed_statics.h>
 
-#include <algorithm>
-
 using namespace vfife;
 
 namespace

@@ -14,7 +14,6 @@
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/model.h>
 
-#include <functional>
 #include <iomanip>
 #include <map>
 #include <memory>

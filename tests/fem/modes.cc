@@ -16,13 +16,18 @@ using namespace vfife;
 
 namespace
 {
+  /** Of a body at rest. */
   ModalResult solve(const Model &model, const FemOptions &options, const Communicator &communicator)
   {
     const FemSpace          d(model, {0}, options.element);
     FemConstraints::Options constraints;
     constraints.padded = ModalSolver::needs_padding(options);
-    const FemSystem system(d, constraints, communicator);
-    return ModalSolver(system, options).solve();
+    const FemSystem   system(d, constraints, communicator);
+    const ModalSolver solver(system, options);
+    return solver.solve(solver.matrices().stiffness(constant_rate(0.)),
+                        solver.matrices().mass(),
+                        0.,
+                        find_free_motions(d, d.parts()[0]));
   }
 
   Model make_plate(const std::array<unsigned int, 3> &counts)

@@ -15,8 +15,6 @@
 #include <vfife/mesh/gear/gear_body.h>
 #include <vfife/mesh/node_set_names.h>
 
-#include <algorithm>
-
 using namespace vfife;
 
 namespace

@@ -4,7 +4,6 @@
 
 #include <vfife/gear/spiral_bevel/gear_pair.h>
 
-#include <algorithm>
 #include <cmath>
 
 /**

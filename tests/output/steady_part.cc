@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // The steady part of synthetic histories: means, where it starts, and when there is none.
+#include "../refusal.h"
 #include "../tests.h"
 
 #include <vfife/base/errors.h>
@@ -212,16 +213,8 @@ namespace
     check("ramp longer than the run: none",
           !find_steady_part(make_history(30, 20, flat, constant_dte), 20, 2, 1e9).found);
 
-    bool refused = false;
-    try
-      {
-        find_steady_part(make_history(30, 20, flat, constant_dte), 0, 2, 0);
-      }
-    catch (const InputError &)
-      {
-        refused = true;
-      }
-    check("no samples per mesh: refused", refused);
+    check("no samples per mesh: refused",
+          refuses([&] { find_steady_part(make_history(30, 20, flat, constant_dte), 0, 2, 0); }));
   }
 
   void check_ripple()

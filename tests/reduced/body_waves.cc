@@ -122,7 +122,8 @@ namespace
         worst = largest_of(worst, std::abs(meeting.rate / rate - 1.));
         // The damped wave met at rate (1 + d) has half the power where its frequency is missed by
         // its decay rate.
-        const double d = .5 * meeting.width(50.), at = rate * (1. + d);
+        const double d     = meeting.wave.damping_ratio(50.) / (1. - meeting.stiffening);
+        const double at    = rate * (1. + d);
         const auto   waves = find_waves(body, 0, at, 1.);
         const double own   = waves[0].direction == meeting.wave.direction ? waves[0].frequency()
                                                                           : waves[1].frequency();

@@ -2,6 +2,7 @@
 #ifndef vfife_tests_study_shaft_pair_h
 #define vfife_tests_study_shaft_pair_h
 
+#include "../model_sections.h"
 #include "few_teeth.h"
 
 #include <vfife/base/types.h>
@@ -14,6 +15,8 @@
 /** A coarse pair on shafts in five bearings, and what its tables say of these. */
 namespace shaft_pair
 {
+  using model_text::study;
+
   /** A bearing on a shaft; @p x: its x direction. */
   inline std::string bearing(const std::string &name,
                              const std::string &ring,
@@ -95,11 +98,6 @@ namespace shaft_pair
            "subsection Output\nset samples per mesh cycle = 20\nset report = no\nset verbosity = "
            "quiet\n"
            "end\n";
-  }
-
-  inline std::string kind(const std::string &name)
-  {
-    return "subsection Study\nset kind = " + name + "\nend\n";
   }
 
   inline std::string write(const std::string &name, const std::string &text)

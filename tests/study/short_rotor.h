@@ -13,10 +13,7 @@ namespace rotor_text
 {
   using Columns = std::map<std::string, std::vector<double>>;
 
-  inline std::string study(const std::string &kind)
-  {
-    return "subsection Study\n set kind = " + kind + "\nend\n";
-  }
+  using model_text::study;
 
   inline std::string
   bearing(const std::string &name, const std::string &where, const std::string &entries)
@@ -53,7 +50,6 @@ namespace rotor_text
            model_text::probe("bottom", "0, 0, 0 mm") + model_text::probe("top", "0, 0, 60 mm") +
            rest;
   }
-
 } // namespace rotor_text
 
 #endif

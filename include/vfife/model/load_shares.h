@@ -5,7 +5,6 @@
 #include <vfife/model/model.h>
 
 #include <array>
-#include <string>
 #include <vector>
 
 namespace vfife

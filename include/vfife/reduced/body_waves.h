@@ -64,9 +64,6 @@ namespace vfife
     /** Of the force's motions exp(i (n + p z) phi), phi what the body has turned: the mesh order
      * for a wave against the spin, less than zero for one with it. */
     int mesh_harmonic() const;
-    /** Full width of the response at half power over the rate where it is largest: 2 ratio/(1 -
-     * stiffening) [-]. */
-    double width(double zeta) const;
   };
 
   /**

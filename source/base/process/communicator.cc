@@ -56,11 +56,6 @@ namespace vfife
     return reduces(sizeof(value)) ? mpi::max(value, comm_) : value;
   }
 
-  unsigned long long Communicator::sum(const unsigned long long value) const
-  {
-    return reduces(sizeof(value)) ? mpi::sum(value, comm_) : value;
-  }
-
   unsigned int Communicator::sum(const unsigned int value) const
   {
     return reduces(sizeof(value)) ? mpi::sum(value, comm_) : value;
@@ -90,12 +85,6 @@ namespace vfife
   {
     if (!values.empty() && reduces(values.size() * sizeof(double)))
       mpi::sum(values, comm_, values);
-  }
-
-  void Communicator::min(std::vector<double> &values) const
-  {
-    if (!values.empty() && reduces(values.size() * sizeof(double)))
-      mpi::min(values, comm_, values);
   }
 
   void Communicator::max(std::vector<double> &values) const

@@ -86,12 +86,4 @@ namespace vfife
           warnings_.push_back(warning);
       }
   }
-
-  unsigned int Log::n_warnings() const
-  {
-    unsigned int n = 0;
-    for (const Warning &warning : warnings_)
-      n += warning.count;
-    return n;
-  }
 } // namespace vfife

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <ostream>
 #include <stdexcept>
-#include <utility>
 
 namespace vfife
 {
@@ -146,16 +145,6 @@ namespace vfife
         else if (!was_there)
           column.numbers.assign(n_rows_, not_known);
       }
-  }
-
-  void Table::clear_rows()
-  {
-    for (Column &column : columns_)
-      {
-        column.numbers.clear();
-        column.texts.clear();
-      }
-    n_rows_ = 0;
   }
 
   const Table::Column &Table::column(const std::string &name) const

@@ -3,7 +3,6 @@
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>
 
-#include <algorithm>
 #include <array>
 
 namespace vfife

@@ -2,7 +2,6 @@
 #include <vfife/dynamics/loads/contact_dealing.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace vfife

@@ -3,7 +3,6 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/text/figure_text.h>
 #include <vfife/contact/law/facet_penalty.h>
-#include <vfife/contact/law/hertz.h>
 #include <vfife/contact/surface/facet_integrals.h>
 #include <vfife/dynamics/loads/rigid_walls.h>
 #include <vfife/model/constraints/node_constraints.h>

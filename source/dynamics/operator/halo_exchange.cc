@@ -3,7 +3,6 @@
 #include <vfife/dynamics/operator/halo_exchange.h>
 #include <vfife/model/model.h>
 
-#include <algorithm>
 #include <map>
 #include <set>
 

@@ -7,8 +7,6 @@
 #include <vfife/model/body_frame.h>
 #include <vfife/model/constraints/held_direction.h>
 
-#include <algorithm>
-
 namespace vfife
 {
   namespace

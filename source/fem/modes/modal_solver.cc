@@ -57,16 +57,6 @@ namespace vfife
     return half - std::min(half, n_guard_modes + 10);
   }
 
-  ModalResult ModalSolver::solve() const
-  {
-    const FemSpace                  &d = system_.space();
-    std::vector<std::vector<double>> rigid;
-    for (const FemSpace::Part &part : d.parts())
-      for (std::vector<double> &motion : find_free_motions(d, part))
-        rigid.push_back(std::move(motion));
-    return solve(matrices_.stiffness(constant_rate(0.)), matrices_.mass(), 0., rigid);
-  }
-
   void check_residual(const double residual, const double frequency)
   {
     if (residual < 1e-3)

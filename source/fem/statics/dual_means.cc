@@ -7,6 +7,8 @@
 
 #include <Eigen/LU>
 
+#include <tuple>
+
 namespace vfife
 {
   void DualMeans::Quadrilateral::add(const double                     area,

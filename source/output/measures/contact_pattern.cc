@@ -2,7 +2,6 @@
 #include <vfife/base/text/column_names.h>
 #include <vfife/base/text/sample_columns.h>
 #include <vfife/mesh/body_mesh.h>
-#include <vfife/model/body_frame.h>
 #include <vfife/model/model.h>
 #include <vfife/output/measures/contact_pattern.h>
 

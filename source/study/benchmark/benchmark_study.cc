@@ -7,11 +7,11 @@
 #include <vfife/mesh/primitives/primitives.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/table_writer.h>
-#include <vfife/study/benchmark/benchmark_study.h>
 #include <vfife/study/benchmark/contact_benchmark.h>
 #include <vfife/study/benchmark/operator_benchmark.h>
 #include <vfife/study/benchmark/rank_benchmark.h>
 #include <vfife/study/cases/gear_case.h>
+#include <vfife/study/study_kinds.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -24,6 +24,17 @@ namespace vfife
 {
   namespace
   {
+    struct BenchmarkOptions
+    {
+      unsigned int repeats = 7;  ///< measurements of each variant, medians are reported
+      unsigned int steps   = 3;  ///< time steps a measurement
+      unsigned int cells   = 52; ///< of the general mesh along each side
+      unsigned int plain_elements =
+        20000; ///< part of a mesh on which the plain implementation is measured
+
+      void declare(dealii::ParameterHandler &prm);
+    };
+
     /** A block of @p cells^3 elements of which no two are equal: every node is moved by up to a
      * tenth of a side, by numbers that never repeat. */
     std::unique_ptr<BodyMesh> make_general_mesh(const unsigned int cells)

@@ -8,7 +8,6 @@
 #include <vfife/dynamics/loop/explicit_solver.h>
 #include <vfife/study/benchmark/contact_benchmark.h>
 
-#include <algorithm>
 #include <array>
 
 namespace vfife

@@ -4,7 +4,6 @@
 #include <vfife/base/text/column_names.h>
 #include <vfife/base/text/table.h>
 #include <vfife/dynamics/dynamics_options.h>
-#include <vfife/model/model.h>
 #include <vfife/output/files/checkpoint.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/table_reader.h>

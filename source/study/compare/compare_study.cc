@@ -11,11 +11,11 @@
 #include <vfife/output/files/table_writer.h>
 #include <vfife/output/pictures.h>
 #include <vfife/study/case_runner.h>
-#include <vfife/study/compare/compare_study.h>
 #include <vfife/study/compare/compared_case.h>
 #include <vfife/study/compare/comparison.h>
 #include <vfife/study/compare/model_comparison.h>
 #include <vfife/study/compare/pair/pair_comparison.h>
+#include <vfife/study/study_kinds.h>
 
 #include <deal.II/base/parameter_handler.h>
 

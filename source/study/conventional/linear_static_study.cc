@@ -29,6 +29,7 @@
 #include <vfife/study/conventional/field_grid.h>
 #include <vfife/study/conventional/linear_static_study.h>
 #include <vfife/study/start_summary.h>
+#include <vfife/study/study_kinds.h>
 #include <vfife/study/turning_axes.h>
 
 #include <deal.II/base/parameter_handler.h>

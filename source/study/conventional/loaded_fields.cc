@@ -8,7 +8,6 @@
 #include <vfife/output/files/output_folder.h>
 #include <vfife/study/conventional/loaded_fields.h>
 
-#include <cmath>
 #include <limits>
 
 namespace vfife

@@ -21,8 +21,8 @@
 #include <vfife/study/cases/case_kinds.h>
 #include <vfife/study/conventional/chosen_bodies.h>
 #include <vfife/study/conventional/field_grid.h>
-#include <vfife/study/conventional/modal_study.h>
 #include <vfife/study/start_summary.h>
+#include <vfife/study/study_kinds.h>
 #include <vfife/study/turning_axes.h>
 
 #include <deal.II/base/parameter_handler.h>

@@ -7,12 +7,14 @@
 #include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/quantity.h>
+#include <vfife/gear/driving.h>
+#include <vfife/gear/measurement/measuring_grid.h>
 #include <vfife/gear/measurement/settings_fit.h>
 #include <vfife/gear/spiral_bevel/gear_pair.h>
 #include <vfife/output/files/figures.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/table_writer.h>
-#include <vfife/study/gear/flank_fit_study.h>
+#include <vfife/study/study_kinds.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -21,11 +23,38 @@
 #include <algorithm>
 #include <cmath>
 #include <ostream>
+#include <string>
+#include <vector>
 
 namespace vfife
 {
   namespace
   {
+    /** Section Flank fit. */
+    struct FlankFitOptions
+    {
+      DrivingMember            member = DrivingMember::pinion;
+      FlankSide                side   = FlankSide::concave;
+      std::string              measured; ///< file; empty: grids alone are written
+      std::vector<std::string> settings = {"point radius",
+                                           "blade angle",
+                                           "radial distance",
+                                           "blank offset",
+                                           "sliding base",
+                                           "machine center to back",
+                                           "machine root angle",
+                                           "ratio of roll"};
+      std::string              largest_changes;  ///< one for each setting; empty: no limits
+      bool                     free_turn = true; ///< the flank's place about the axis is found too
+      double                   threshold = 1e-3; ///< of singular values, part of the largest
+      MeasuringGrid            grid;
+
+      void declare(dealii::ParameterHandler &prm);
+      /** The largest changes [internal units]; throws InputError (@p section: of the entries) where
+       * they are no positive quantities of the settings. */
+      std::vector<double> limits(const std::string &section) const;
+    };
+
     /** A dimensionless setting is stored as it is written, whatever its unit is called. */
     double shown(const FittedSetting &setting, const double value)
     {

@@ -14,6 +14,7 @@
 #include <vfife/study/cases/gear_case.h>
 #include <vfife/study/gear/bearing_supports.h>
 #include <vfife/study/gear/lumped_study.h>
+#include <vfife/study/study_kinds.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -12,7 +12,7 @@
 #include <vfife/output/pictures.h>
 #include <vfife/study/cases/body_figures.h>
 #include <vfife/study/cases/gear_case.h>
-#include <vfife/study/gear/mesh_study.h>
+#include <vfife/study/study_kinds.h>
 
 #include <algorithm>
 
@@ -20,6 +20,19 @@ namespace vfife
 {
   namespace
   {
+    /** Section Export: which files a study of kind `mesh` writes. */
+    struct ExportOptions
+    {
+      std::vector<std::string> formats    = {"vtu"};
+      bool                     pair       = true; ///< both bodies in one file, mounted
+      bool                     bodies     = true; ///< each body in its own frame
+      unsigned int             lengthwise = 0;    ///< flank points from toe to heel; 0: no file
+      unsigned int             profile    = 0;    ///< flank points from start to tip
+
+      void declare(dealii::ParameterHandler &prm);
+      void check(const std::string &section) const;
+    };
+
     ExportedBody exported(const Body &body)
     {
       // Mesh and material constants, in t and mm: what another program needs for the same body.

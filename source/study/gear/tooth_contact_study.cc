@@ -18,8 +18,8 @@
 #include <vfife/study/cases/gear_case.h>
 #include <vfife/study/cases/run_plan.h>
 #include <vfife/study/gear/contact_analysis_json.h>
-#include <vfife/study/gear/tooth_contact_study.h>
 #include <vfife/study/start_summary.h>
+#include <vfife/study/study_kinds.h>
 
 #include <deal.II/base/parameter_handler.h>
 

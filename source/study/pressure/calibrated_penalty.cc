@@ -2,21 +2,78 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
+#include <vfife/fem/pressure/flank_pair.h>
 #include <vfife/fem/pressure/pair_pressure.h>
 #include <vfife/fem/pressure/penalty_calibration.h>
+#include <vfife/mesh/body_mesh.h>
 #include <vfife/model/load_torque.h>
 #include <vfife/model/model.h>
 #include <vfife/study/cases/case.h>
 #include <vfife/study/pressure/calibrated_penalty.h>
-#include <vfife/study/pressure/facets_passed.h>
 #include <vfife/study/pressure/pressure_depth.h>
 
+#include <Eigen/QR>
+
+#include <map>
 #include <numeric>
+#include <utility>
 
 namespace vfife
 {
   namespace
   {
+    /**
+     * How many facets of a flank the contact passes per gear mesh: the mesh excites the pair with
+     * orders of the gear mesh near these numbers, and contact points with so many times these as a
+     * facet has points in that direction.
+     */
+    class FacetsPassed
+    {
+    public:
+      /** Contacts at the next one of positions that are @p spacing gear meshes apart. */
+      FacetsPassed(const Model &model, double spacing);
+
+      void add(const std::vector<ToothPressure> &teeth);
+
+      /** Of a @p side, 0 slave and 1 master: along the face and along the profile. Means over the
+       * ways of all contacts; zero where no contact was seen twice. */
+      Vector2 find(unsigned int side) const;
+
+    private:
+      /** Middle of a contact on a flank, and the sides of the facet there, along the face first. */
+      struct Place
+      {
+        Vector3                     middle = Vector3::Zero();
+        Eigen::Matrix<double, 3, 2> sides;
+      };
+
+      const Model                                                          &model_;
+      double                                                                spacing_;
+      std::map<std::pair<unsigned int, unsigned int>, std::array<Place, 2>> last_; ///< by groups
+      std::array<Vector2, 2>                                                sums_;
+      unsigned int                                                          n_ = 0;
+    };
+
+    /** Sides of the facet with these corners, through its middle; that along the face leads away
+     * from the apex, the origin. */
+    Eigen::Matrix<double, 3, 2> find_sides(const FacetSurface                &surface,
+                                           const std::array<unsigned int, 4> &corners)
+    {
+      const auto x = [&](const unsigned int k) -> const Vector3 & {
+        return surface.positions[corners[k]];
+      };
+      Eigen::Matrix<double, 3, 2> sides;
+      sides.col(0)         = .5 * (x(1) - x(0) + x(2) - x(3));
+      sides.col(1)         = .5 * (x(3) - x(0) + x(2) - x(1));
+      const Vector3 apex   = x(0) + x(1) + x(2) + x(3);
+      const auto    cosine = [&](const unsigned int c) {
+        return std::abs(sides.col(c).normalized().dot(apex));
+      };
+      if (cosine(1) > cosine(0))
+        sides.col(0).swap(sides.col(1));
+      return sides;
+    }
+
     /** Cells over the width of a contact, with which its approach is known to a thousandth. */
     constexpr unsigned int cells_across = 10;
     /** Over one gear mesh; contacts that lie between two of them have penalties between theirs. */
@@ -68,6 +125,60 @@ namespace vfife
                   " N/mm^3, and its approach depends on the mesh.");
     }
   } // namespace
+
+  FacetsPassed::FacetsPassed(const Model &model, const double spacing)
+    : model_(model)
+    , spacing_(spacing)
+    , sums_{{Vector2::Zero(), Vector2::Zero()}}
+  {
+  }
+
+  void FacetsPassed::add(const std::vector<ToothPressure> &teeth)
+  {
+    const ContactPair &pair = model_.contacts.front();
+    std::map<std::pair<unsigned int, unsigned int>, std::array<Place, 2>> now;
+    for (const ToothPressure &tooth : teeth)
+      {
+        const auto            groups = std::make_pair(tooth.slave_group, tooth.master_group);
+        std::array<Place, 2> &places = now[groups];
+        for (unsigned int side = 0; side < 2; ++side)
+          {
+            const Body &body = model_.bodies[side == 0 ? pair.slave_body : pair.master_body];
+            const FacetSurface &surface =
+              body.mesh().surfaces.at(side == 0 ? pair.slave_surface : pair.master_surface);
+            double sum = 0;
+            for (std::size_t k = 0; k < tooth.grid.cells.size(); ++k)
+              {
+                places[side].middle += tooth.grid.force_of(k) * tooth.places[side][k];
+                sum += tooth.grid.force_of(k);
+              }
+            places[side].middle /= sum;
+            std::size_t nearest = 0;
+            for (std::size_t k = 0; k < tooth.grid.cells.size(); ++k)
+              if ((tooth.places[side][k] - places[side].middle).norm() <
+                  (tooth.places[side][nearest] - places[side].middle).norm())
+                nearest = k;
+            places[side].sides = find_sides(surface, tooth.grid.cells[nearest].feet[side].nodes);
+          }
+        const auto before = last_.find(groups);
+        if (before == last_.end())
+          continue;
+        for (unsigned int side = 0; side < 2; ++side)
+          {
+            const Eigen::Matrix<double, 3, 2> sides =
+              .5 * (places[side].sides + before->second[side].sides);
+            const Vector3 way = places[side].middle - before->second[side].middle;
+            sums_[side] += Vector2(sides.colPivHouseholderQr().solve(way)).cwiseAbs();
+          }
+        ++n_;
+      }
+    last_ = std::move(now);
+  }
+
+  Vector2 FacetsPassed::find(const unsigned int side) const
+  {
+    return n_ == 0 ? Vector2(Vector2::Zero()) : Vector2(sums_[side] / (n_ * spacing_));
+  }
 
   std::vector<double> turns_over_mesh(const Transmission &transmission)
   {

@@ -15,9 +15,9 @@
 #include <vfife/output/pictures.h>
 #include <vfife/study/cases/model_case.h>
 #include <vfife/study/pressure/contact_width_watch.h>
-#include <vfife/study/run/static_study.h>
 #include <vfife/study/run/stepped_solver.h>
 #include <vfife/study/start_summary.h>
+#include <vfife/study/study_kinds.h>
 #include <vfife/study/turning_axes.h>
 
 #include <numeric>

@@ -5,7 +5,6 @@
 #include <vfife/study/stress_waves/stress_wave_places.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace vfife
 {

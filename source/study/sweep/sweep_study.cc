@@ -10,6 +10,7 @@
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/number_text.h>
 #include <vfife/output/files/run_figures.h>
+#include <vfife/study/study_kinds.h>
 #include <vfife/study/sweep/sweep_study.h>
 
 #include <deal.II/base/parameter_handler.h>

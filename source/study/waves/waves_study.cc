@@ -27,13 +27,13 @@
 #include <vfife/study/run/pair_start.h>
 #include <vfife/study/start_summary.h>
 #include <vfife/study/stress_waves/stress_wave_places.h>
+#include <vfife/study/study_kinds.h>
 #include <vfife/study/waves/driven_lines.h>
 #include <vfife/study/waves/driven_wave.h>
 #include <vfife/study/waves/line_theory.h>
 #include <vfife/study/waves/wave_line.h>
 #include <vfife/study/waves/wave_runs.h>
 #include <vfife/study/waves/waves_options.h>
-#include <vfife/study/waves/waves_study.h>
 
 #include <algorithm>
 #include <cmath>

@@ -12,10 +12,6 @@ using namespace vfife;
 
 namespace
 {
-  const std::string one_step = "subsection Dynamics\n  set end time = 1\n"
-                               "  set maximum number of steps = 1\nend\n" +
-                               quiet_output(1);
-
   /** Contact force at the start of two bodies one of which lies in the other [N]. */
   double press(const std::string &bodies, const std::string &contact, Communicator &world)
   {
@@ -32,7 +28,10 @@ namespace
     set edge fading       = 0
 )" + contact) +
       "end\n";
-    return run_text("pressed", text + one_step, world)["contact force total"].front();
+    return run_text("pressed",
+                    text + model_text::one_step() + quiet_output(1),
+                    world)["contact force total"]
+      .front();
   }
 
   /** A facet of 2 x 2 mm lies 10 um deep in a floor and 0.5 mm over its edge. */
@@ -107,13 +106,8 @@ subsection Model
     set acceleration = 0, -1e6, 0 mm/s^2
   end
 )" + model_text::probe("corner", "0, 0, 0 mm") +
-           "end\nsubsection Dynamics\n  set start = " + start + R"(
-  set end time = 0.5 ms
-  subsection Relaxation
-    set tolerance = 1e-9
-  end
-end
-)";
+           "end\n" +
+           model_text::relaxation("1e-9", "set start = " + start + "\nset end time = 0.5 ms\n");
   }
 
   void starts(Communicator &world)
@@ -145,29 +139,22 @@ end
     for (const bool full : {true, false})
       {
         auto h = run_text("bent",
-                          std::string(R"(
-subsection Study
-  set kind = linear static
-end
+                          model_text::study("linear static") + R"(
 subsection Model
   set bodies      = bar
   set constraints = foot
   set loads       = bend
   set probes      = tip, top
-)") + model_text::block("bar", {{100, 10, 10}}, {{10, 2, 2}}) +
+)" + model_text::block("bar", {{100, 10, 10}}, {{10, 2, 2}}) +
                             model_text::section("Constraint foot", "set nodes = x-\n") +
                             model_text::section("Load bend",
                                                 "set nodes = x+\nset kind = moment\n"
                                                 "set moment = 0, -20000, 0 N mm\n") +
                             model_text::probe("tip", "100, 5, 5 mm") +
-                            model_text::probe("top", "50, 5, 10 mm") + R"(
-end
-subsection Material steel
-  set Poisson's ratio = 0
-end
-subsection Fem
-  set element type = )" + (full ? "full integration" : "incompatible modes") +
-                            "\nend\nsubsection Output\n  set verbosity = quiet\nend\n",
+                            model_text::probe("top", "50, 5, 10 mm") + "end\n" +
+                            model_text::no_contraction() + "subsection Fem\n  set element type = " +
+                            (full ? "full integration" : "incompatible modes") + "\nend\n" +
+                            quiet_output(),
                           world);
         // Trilinear cells of length a cannot follow the parabola: their shear is -kappa x from the
         // middle on, which stiffens E I by G A a^2/12 = E A a^2/24.
@@ -187,15 +174,15 @@ subsection Fem
   /** What the screen says of a static case. */
   std::string screen_of(const std::string &verbosity, Communicator &world)
   {
-    std::ofstream("said.prm") << "subsection Study\n  set kind = static\nend\n"
+    std::ofstream("said.prm") << model_text::study("static")
                               << "subsection Model\n  set bodies = bar\n  set constraints = foot\n"
                               << "  set loads = pull\n"
                               << model_text::block("bar", {{100, 5, 5}}, {{20, 1, 1}})
                               << model_text::section("Constraint foot", "set nodes = x-\n")
                               << model_text::section("Load pull",
                                                      "set nodes = x+\nset force = 0, 0, 1 N\n")
-                              << "end\nsubsection Dynamics\n  subsection Relaxation\n"
-                              << "    set tolerance = 1e-9\n  end\nend\n"
+                              << "end\n"
+                              << model_text::relaxation("1e-9")
                               << "subsection Output\n  set report = no\n  set verbosity = "
                               << verbosity << "\nend\n";
     CommandLine line;

@@ -17,8 +17,7 @@ namespace
   /** 100 x 10 x 10 mm, nu = 0, the weight along x away from the foot; probes at tip and middle. */
   std::string bar(const std::string &kind, const std::string &rest)
   {
-    return "subsection Study\n  set kind = " + kind + R"(
-end
+    return model_text::study(kind) + R"(
 subsection Model
   set bodies      = bar
   set constraints = foot
@@ -30,12 +29,7 @@ subsection Model
                                "set kind = acceleration\nset nodes = all\n"
                                "set acceleration = 1e6, 0, 0 mm/s^2\n") +
            model_text::probe("tip", "100, 0, 0 mm") + model_text::probe("middle", "50, 0, 0 mm") +
-           R"(
-end
-subsection Material steel
-  set Poisson's ratio = 0
-end
-)" + rest;
+           "end\n" + model_text::no_contraction() + rest;
   }
 
   /** u(x) = rho g (L x - x^2/2)/E, sigma = rho g (L - x): strains of 4e-6, whose squares the static
@@ -45,14 +39,12 @@ end
     const double stretch = density * gravity * length * length / (2 * E);
     for (const std::string &kind : {std::string("linear static"), std::string("static")})
       {
-        const bool   linear    = kind == "linear static";
-        auto         h         = run_text("hanging",
-                          bar(kind,
-                              linear ? "subsection Output\n  set verbosity = quiet\nend\n"
-                                                     : "subsection Dynamics\n  subsection Relaxation\n"
-                                                       "    set tolerance = 1e-9\n  end\nend\n" +
-                                         quiet_output(1)),
-                          world);
+        const bool linear = kind == "linear static";
+        auto       h =
+          run_text("hanging",
+                   bar(kind,
+                       linear ? quiet_output() : model_text::relaxation("1e-9") + quiet_output(1)),
+                   world);
         const double tolerance = linear ? 1e-8 : 2e-5;
         check_close(kind + ": stretch over rho g L^2/(2 E)",
                     h["tip displacement x"].back() / stretch,
@@ -77,8 +69,8 @@ end
       load << force;
       auto h =
         run_text("cantilever",
-                 "subsection Study\n  set kind = " + kind +
-                   "\nend\nsubsection Model\n  set bodies = beam\n  set constraints = clamp\n"
+                 model_text::study(kind) +
+                   "subsection Model\n  set bodies = beam\n  set constraints = clamp\n"
                    "  set loads = pull\n  set probes = tip\n" +
                    model_text::block("beam",
                                      {{50, 5, 10}},
@@ -88,8 +80,7 @@ end
                    model_text::section("Load pull",
                                        "set nodes = x+\nset force = 0, 0, " + load.str() + " N\n") +
                    model_text::probe("tip", "50, 0, 0 mm") + "end\n" +
-                   (kind == "static" ? quiet_output(1)
-                                     : "subsection Output\n  set verbosity = quiet\nend\n"),
+                   (kind == "static" ? quiet_output(1) : quiet_output()),
                  world);
       return h["tip displacement z"].back() / force;
     };
@@ -113,8 +104,9 @@ end
   {
     const auto run = [&](const std::string &load) {
       return run_text("late",
-                      "subsection Study\n  set kind = run\nend\nsubsection Model\n"
-                      "  set bodies = block\n  set loads = push\n  set probes = corner\n" +
+                      model_text::study("run") +
+                        "subsection Model\n"
+                        "  set bodies = block\n  set loads = push\n  set probes = corner\n" +
                         model_text::block("block", {{10, 10, 10}}, {{2, 2, 2}}) +
                         model_text::section("Load push", load) +
                         model_text::probe("corner", "10, 10, 10") +
@@ -197,7 +189,7 @@ end
         const bool linear = kind == "linear static";
         auto       h =
           run_text("pressed",
-                   section("Study", "set kind = " + kind + "\n") +
+                   model_text::study(kind) +
                      section("Model",
                              "set bodies = plate\nset constraints = x, y, z\nset loads = press\n"
                              "set probes = corner\n" +
@@ -208,7 +200,7 @@ end
                                        "set pressure = 10 MPa\n") +
                                model_text::probe("corner", "60, 60, 2 mm")) +
                      section("Material steel", "set Poisson's ratio = 0.3\n") +
-                     (linear ? section("Output", "set verbosity = quiet\n") : quiet_output(1)),
+                     (linear ? quiet_output() : quiet_output(1)),
                    world);
         check_close(kind + ": plate pressed on its skins, growth over nu p/E",
                     h["corner displacement x"].back() / (0.3 * 10 / E * 60),
@@ -238,13 +230,11 @@ end
     const double G = E / 2.58, B = 0.01 * pi / 180 * 400 * 1600 / 1200.;
     for (const std::string &kind : {std::string("linear static"), std::string("static")})
       {
-        auto h = run_text("twisted",
-                          "subsection Study\n  set kind = " + kind + "\nend\n" + ring +
-                            (kind == "static" ? "subsection Dynamics\n  subsection Relaxation\n"
-                                                "    set tolerance = 1e-7\n  end\nend\n"
-                                              : "") +
-                            "subsection Output\n  set verbosity = quiet\nend\n",
-                          world);
+        auto h =
+          run_text("twisted",
+                   model_text::study(kind) + ring +
+                     (kind == "static" ? model_text::relaxation("1e-7") : "") + quiet_output(),
+                   world);
         // Chords of 6 degrees and cells of 2 x 3 mm: 2e-3 of the way, 7e-3 of the stress.
         check_close(kind + ": displacement theta in the middle over B (1/r - r/b^2)",
                     h["middle displacement theta"].back() / (B * (1 / 30. - 30. / 1600)),

@@ -31,20 +31,17 @@ namespace
   {
     constexpr double  zeta = 2000;
     const std::string along(1, flight[0]);
-    auto              run =
-      run_text("flying_bar",
-               "subsection Study\n set kind = run\nend\nsubsection Model\n set bodies = bar\n" +
-                 model_text::block("bar",
-                                   {{100, 5, 5}},
-                                   {{20, 1, 1}},
-                                   "set velocity = " + flight.substr(2) +
-                                     "\nset initial velocity x = 1000*cos(pi*x/100)\n") +
-                 guide +
-                 "end\nsubsection Material steel\n set Poisson's ratio = 0\nend\n"
-                 "subsection Dynamics\n" +
-                 damping + " set end time = 1 ms\nend\n" + quiet_output(20),
-               world);
-    const auto  &kinetic = run["relative kinetic energy"], &strain = run["strain energy"];
+    auto              run     = run_text("flying_bar",
+                        model_text::study("run") + "subsection Model\n set bodies = bar\n" +
+                          model_text::block("bar",
+                                            {{100, 5, 5}},
+                                            {{20, 1, 1}},
+                                            "set velocity = " + flight.substr(2) +
+                                              "\nset initial velocity x = 1000*cos(pi*x/100)\n") +
+                          guide + "end\n" + model_text::no_contraction() + "subsection Dynamics\n" +
+                          damping + " set end time = 1 ms\nend\n" + quiet_output(20),
+                        world);
+    const auto       &kinetic = run["relative kinetic energy"], &strain = run["strain energy"];
     const double start = kinetic.front() + strain.front(), end = kinetic.back() + strain.back();
     // Within zeta/omega, 1.2 % of a half period's swing of the loss; omega = pi c/L = 1.6e5 1/s.
     const double time = run["time"].back() - run["time"].front();
@@ -79,21 +76,21 @@ namespace
   void clamped_beam(Communicator &world)
   {
     constexpr double frequency = 809.4, ratio = .02;
-    auto             run =
-      run_text("clamped_beam",
-               "subsection Study\n set kind = run\nend\nsubsection Model\n set bodies = beam\n"
-               " set constraints = clamp\n" +
-                 model_text::block("beam",
-                                   {{100, 5, 10}},
-                                   {{20, 1, 2}},
-                                   "set initial velocity z = 1000*(x/100)^2\n") +
-                 model_text::section("Constraint clamp", "set nodes = x-\n") +
-                 "end\nsubsection Material steel\n set Young's modulus = 200000\n"
-                 " set Poisson's ratio = 0\nend\n"
-                 "subsection Dynamics\n set damping ratio = 0.02\n"
-                 " set damping frequency = 809.4\n set end time = " +
-                 std::to_string(5 / frequency) + "\nend\n" + quiet_output(20),
-               world);
+    auto             run     = run_text("clamped_beam",
+                        model_text::study("run") +
+                          "subsection Model\n set bodies = beam\n"
+                                          " set constraints = clamp\n" +
+                          model_text::block("beam",
+                                            {{100, 5, 10}},
+                                            {{20, 1, 2}},
+                                            "set initial velocity z = 1000*(x/100)^2\n") +
+                          model_text::section("Constraint clamp", "set nodes = x-\n") +
+                          "end\nsubsection Material steel\n set Young's modulus = 200000\n"
+                                          " set Poisson's ratio = 0\nend\n"
+                                          "subsection Dynamics\n set damping ratio = 0.02\n"
+                                          " set damping frequency = 809.4\n set end time = " +
+                          std::to_string(5 / frequency) + "\nend\n" + quiet_output(20),
+                        world);
     const auto [decay, loss] = decay_of(run, 4 * pi * frequency * ratio);
     check_close("clamped beam: decay over that of its ratio", decay, 1., 1e-2);
     check_close("clamped beam: damping loss over the energy lost", loss, 1., 1e-3);
@@ -106,8 +103,9 @@ namespace
     const double     mass = 7.85e-9 * 1000, omega = std::sqrt(k / mass);
     auto             run = run_text(
       "sprung_block",
-      "subsection Study\n set kind = run\nend\nsubsection Model\n set bodies = block\n"
-                  " set constraints = bed\n" +
+      model_text::study("run") +
+        "subsection Model\n set bodies = block\n"
+                    " set constraints = bed\n" +
         model_text::block(
           "block", {{10, 10, 10}}, {{2, 2, 2}}, "set velocity = 1000, 500, 0 mm/s\n") +
         model_text::section("Constraint bed",
@@ -185,7 +183,7 @@ namespace
   {
     auto run =
       run_text("loose_ring",
-               "subsection Study\n set kind = run\nend\nsubsection Model\n set bodies = ring\n" +
+               model_text::study("run") + "subsection Model\n set bodies = ring\n" +
                  model_text::ring("ring",
                                   {{20, 30, 5}},
                                   {{2, 24, 1}},
@@ -271,8 +269,9 @@ namespace
   {
     auto run = run_text(
       "ring",
-      "subsection Study\n set kind = run\nend\nsubsection Model\n set bodies = ring\n"
-      " set constraints = journal, bed\n" +
+      model_text::study("run") +
+        "subsection Model\n set bodies = ring\n"
+        " set constraints = journal, bed\n" +
         model_text::ring("ring",
                          {{inner, outer, 2}},
                          {{10, 72, 1}},

@@ -14,8 +14,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-
 using namespace vfife;
 
 namespace
@@ -27,15 +25,7 @@ namespace
 
   constexpr double depth = .01, penalty = 100, area = 64, velocity = 100;
 
-  const std::string under = R"(  subsection Body under
-    set size x  = 20
-    set size y  = 20
-    set size z  = 4
-    set elements x = 10
-    set elements y = 10
-    set elements z = 1
-  end
-)";
+  const std::string under = model_text::block("under", {{20, 20, 4}}, {{10, 10, 1}});
 
   /** A block of 8 x 8 mm lies @p depth deep in a larger one and slides: after no time at all the
    * pressure is penalty times depth everywhere. */
@@ -60,19 +50,8 @@ subsection Model
     set master surface    = z+
     set penalty           = 100
     set integration       = explicit
-)" + entries + R"(
-  end
-end
-subsection Dynamics
-  set end time                = 1
-  set maximum number of steps = 1
-end
-subsection Output
-  set steps per sample = 1
-  set report           = no
-  set checkpoint interval = 0
-end
-)";
+)" + entries + "  end\nend\n" +
+                             model_text::one_step() + quiet_output(1);
     return run_text("touch", text, world);
   }
 
@@ -103,15 +82,8 @@ subsection Model
     set abort penetration ratio = 1
   end
 end
-subsection Dynamics
-  set end time                = 1
-  set maximum number of steps = 1
-end
-subsection Output
-  set report           = no
-  set checkpoint interval = 0
-end
-)",
+)" + model_text::one_step() +
+               quiet_output(1),
              world);
   }
 
@@ -185,20 +157,17 @@ end
   std::string
   bar(const unsigned int cells, const std::string &dynamics, const std::string &kind = "run")
   {
-    const std::string n = std::to_string(cells);
-    return "subsection Study\n  set kind = " + kind +
-           "\nend\nsubsection Model\n  set bodies = bar\n" +
-           "  set constraints = foot\n  set loads = pull\n  set probes = tip\n" +
-           "  subsection Body bar\n    set size x  = " + n +
-           "\n    set size y  = 1\n    set size z  = 1\n    set elements x = " + n +
-           "\n    set elements y = 1\n    set elements z = 1\n  end\n" +
-           "  subsection Constraint foot\n    set nodes = x-\n  end\n" +
-           "  subsection Load pull\n    set nodes = x+\n    set force = 10, 0, 0\n  end\n" +
-           "  subsection Probe tip\n    set point = " + n + ", 0, 0\n  end\nend\n" +
-           "subsection Material steel\n  set Poisson's ratio = 0\nend\n" + "subsection Dynamics\n" +
-           dynamics +
-           (kind == "run" ? "  set end time = 1\n  set maximum number of steps = 1\n" : "") +
-           "end\nsubsection Output\n  set report = no\n  set checkpoint interval = 0\nend\n";
+    using namespace model_text;
+    return study(kind) +
+           section(
+             "Model",
+             "set bodies = bar\nset constraints = foot\nset loads = pull\nset probes = tip\n" +
+               block("bar", {{double(cells), 1, 1}}, {{cells, 1, 1}}) +
+               section("Constraint foot", "set nodes = x-\n") +
+               section("Load pull", "set nodes = x+\nset force = 10, 0, 0\n") +
+               probe("tip", std::to_string(cells) + ", 0, 0")) +
+           no_contraction() + (kind == "run" ? one_step(dynamics) : section("Dynamics", dynamics)) +
+           quiet_output(1);
   }
 
   nlohmann::json run_bar(const unsigned int cells, const std::string &dynamics, Communicator &world)
@@ -264,14 +233,6 @@ end
     check_close("virtual damping: steps over those of half of it", stronger / strong, 2., .05);
   }
 
-  const std::string every_sample = R"(
-subsection Output
-  set steps per sample = 1
-  set report           = no
-  set checkpoint interval = 0
-end
-)";
-
   /** A ring of one row that is led around its axis, with v = omega r + c r^3 at its start. */
   void damping_rate(Communicator &world)
   {
@@ -294,15 +255,12 @@ end
     set speed        = 100 rad/s
     set initial velocity x = -0.1*y*(x^2 + y^2)
     set initial velocity y = 0.1*x*(x^2 + y^2)
-)") + R"(
-end
-subsection Dynamics
-  set mass proportional damping = 2000
-  set end time                = 1
-  set maximum number of steps = 1
-  set time step factor        = 0.01
-  set damping reference       = )" +
-                   (is_mean ? "mean speed" : "momentum") + "\nend\n" + every_sample,
+)") + "end\n" +
+                   model_text::one_step(std::string("set mass proportional damping = 2000\n"
+                                                    "set time step factor = 0.01\n"
+                                                    "set damping reference = ") +
+                                        (is_mean ? "mean speed\n" : "momentum\n")) +
+                   quiet_output(1),
                  world);
         const nlohmann::json audit = read_json("damped/summary.json").at("damping audit")[0];
         const std::string    name  = is_mean ? "mean speed: " : "momentum: ";
@@ -336,7 +294,7 @@ end
 subsection Dynamics
   set end time = 10 us
 )" + dynamics +
-           "end\n" + every_sample;
+           "end\n" + quiet_output(1);
   }
 
   void unequal_elements(Communicator &world)

@@ -27,15 +27,13 @@ namespace
   {
     auto run =
       run_text("bent_end",
-               "subsection Study\n set kind = run\nend\nsubsection Model\n set bodies = beam\n"
-               " set constraints = clamp\n set loads = end\n set probes = corner\n" +
+               model_text::study("run") +
+                 "subsection Model\n set bodies = beam\n"
+                 " set constraints = clamp\n set loads = end\n set probes = corner\n" +
                  model_text::block("beam", {{10, 5, 2}}, {{10, 1, 2}}) +
-                 "subsection Constraint clamp\n set kind = fixed\n set nodes = x-\nend\n" +
-                 moment("x+", "0, -10786.1346, 0") +
-                 "subsection Probe corner\n set point = 10, 5, 2 mm\nend\nend\n" + R"(
-subsection Material steel
-  set Poisson's ratio = 0
-end
+                 model_text::section("Constraint clamp", "set nodes = x-\n") +
+                 moment("x+", "0, -10786.1346, 0") + model_text::probe("corner", "10, 5, 2 mm") +
+                 "end\n" + model_text::no_contraction() + R"(
 subsection Dynamics
   set start    = static equilibrium
   set end time = 4 ms
@@ -68,8 +66,9 @@ end
   {
     auto run =
       run_text("spin_up",
-               "subsection Study\n set kind = run\nend\nsubsection Model\n"
-               " set bodies = ring\n set loads = end\n" +
+               model_text::study("run") +
+                 "subsection Model\n"
+                 " set bodies = ring\n set loads = end\n" +
                  model_text::ring("ring", {{20, 30, 5}}, {{2, 24, 1}}, "set rotating = yes\n") +
                  moment("inner", "0, 0, 1000") +
                  "end\nsubsection Dynamics\n set end time = 2 ms\nend\n" + quiet_output(20),

@@ -2,6 +2,7 @@
 // Reactions of supports in histories: balance with the loads at rest and in motion, the
 // conventional solver's, and closed forms: a suddenly pulled bar, a turning bar, a ring cut by its
 // planes of symmetry.
+#include "../../model_sections.h"
 #include "../../parts.h"
 #include "../../tests.h"
 #include "../quick_pair.h"
@@ -16,9 +17,7 @@ namespace
 {
   std::string study(const std::string &kind)
   {
-    return "subsection Study\n  set kind = " + kind +
-           "\nend\nsubsection Output\n  set verbosity = quiet\n  set report = no\n"
-           "  set steps per sample = 1\nend\n";
+    return model_text::study(kind) + quiet_output(1);
   }
 
   Vector3 last(Columns &history, const std::string &column)
@@ -32,21 +31,9 @@ namespace
   std::string
   bar(const unsigned int n_cells, const std::string &constraints, const std::string &more)
   {
-    return "subsection Model\n  set bodies = bar\n  set constraints = " + constraints +
-           "\n  subsection Body bar\n    set size x  = " + std::to_string(5 * n_cells) +
-           " mm\n    set elements x = " + std::to_string(n_cells) + R"(
-    set mesh    = block
-    set size y  = 5 mm
-    set size z  = 5 mm
-    set elements y = 1
-    set elements z = 1
-  end
-)" + more + R"(
-end
-subsection Material steel
-  set Poisson's ratio = 0
-end
-)";
+    return "subsection Model\n  set bodies = bar\n  set constraints = " + constraints + "\n" +
+           model_text::block("bar", {{5. * n_cells, 5, 5}}, {{n_cells, 1, 1}}) + more + "end\n" +
+           model_text::no_contraction();
   }
 
   /** A clamped bar with a spring, a guide and a force in one corner of its end. */
@@ -80,19 +67,13 @@ end
                  force +
                  R"(
   end
-  subsection Probe corner
-    set point = 20, 5, 5 mm
-    set axes  = x, y, z
-  end
-)");
+)" + model_text::probe("corner", "20, 5, 5 mm"));
   }
 
   Columns rest(const std::string &kind, const std::string &force, Communicator &world)
   {
     return run_text("resting",
-                    study(kind) + supported_bar(force) +
-                      "subsection Dynamics\n  subsection Relaxation\n    set tolerance = 1e-12\n"
-                      "  end\nend\n",
+                    study(kind) + supported_bar(force) + model_text::relaxation("1e-12"),
                     world);
   }
 
@@ -192,18 +173,11 @@ subsection Model
   set bodies      = bar
   set constraints = drive
   set probes      = middle
-  subsection Body bar
-    set mesh       = block
-    set size x     = 20 mm
-    set size y     = 4 mm
-    set size z     = 4 mm
-    set elements x = 5
-    set elements y = 2
-    set elements z = 2
+)" + model_text::block("bar", {{20, 4, 4}}, {{5, 2, 2}}, R"(
     set position   = 30, -2, 0 mm
     set rotating   = yes
     set speed      = 500 rad/s
-  end
+)") + R"(
   subsection Constraint drive
     set kind  = turning
     set nodes = x-
@@ -212,14 +186,7 @@ subsection Model
     set point = 8, 2, 2 mm
   end
 end
-subsection Dynamics
-  set start    = static equilibrium
-  set end time = 1 ms
-  subsection Relaxation
-    set tolerance = 1e-9
-  end
-end
-)",
+)" + model_text::relaxation("1e-9", "set start = static equilibrium\nset end time = 1 ms\n"),
                             world);
     const double mass = 20 * 16 * 7.85e-9, size = mass * rate * rate * 40;
     double       worst = 0;

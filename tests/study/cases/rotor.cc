@@ -186,8 +186,7 @@ namespace
              model_text::probe("bottom", "0, 0, 0 mm") + model_text::probe("top", "0, 0, 60 mm") +
              "end\n" + rest;
     };
-    const std::string relax =
-      "subsection Dynamics\nsubsection Relaxation\nset tolerance = 1e-7\nend\nend\n";
+    const std::string relax = model_text::relaxation("1e-7");
     const Columns linear = run_text("tapered_linear", text("linear static", "0, 0, 0", ""), world);
     const Columns whole  = run_text("tapered", text("static", "0, 0, 0", relax), world);
     // A twentieth of the preload: the law is straight to a percent.

@@ -9,8 +9,6 @@
 
 #include <vfife/base/types.h>
 
-#include <algorithm>
-
 using namespace vfife;
 
 namespace
@@ -19,8 +17,7 @@ namespace
   std::string sprung_bar(const std::string &kind, const std::string &rest)
   {
     const bool runs = kind == "run";
-    return "subsection Study\n  set kind = " + kind + R"(
-end
+    return model_text::study(kind) + R"(
 subsection Model
   set bodies      = bar
   set constraints = springs
@@ -32,12 +29,8 @@ subsection Model
                              runs ? "set velocity = 0, 30, 0 mm/s\n" : "") +
            "  subsection Constraint springs\n    set kind = spring\n    set nodes = " +
            (runs ? "all" : "x-") + "\n    set stiffness = 1000, 1000, 1000 N/mm\n  end\n" +
-           model_text::probe("foot", "0, 0, 0 mm") + model_text::probe("tip", "100, 0, 0 mm") + R"(
-end
-subsection Material steel
-  set Poisson's ratio = 0
-end
-)" + rest;
+           model_text::probe("foot", "0, 0, 0 mm") + model_text::probe("tip", "100, 0, 0 mm") +
+           "end\n" + model_text::no_contraction() + rest;
   }
 
   void springs(Communicator &world)
@@ -51,12 +44,7 @@ subsection Model
     set force = 100, 0, 0 N
   end
 end
-subsection Dynamics
-  subsection Relaxation
-    set tolerance = 1e-9
-  end
-end
-)");
+)" + model_text::relaxation("1e-9"));
     auto        pulled = run_text("pulled", text, world);
     check_close("spring: displacement of the foot over F/k",
                 pulled["foot displacement x"].back() / 0.1,
@@ -122,19 +110,11 @@ subsection Model
     set acceleration = 0, -1e6, 0 mm/s^2
   end
 )" + model_text::probe("corner", "0, 0, 0 mm") +
-                               R"(
-end
-subsection Dynamics
-  set start    = static equilibrium
-  set end time = 0.5 ms
-  subsection Relaxation
-    set tolerance = 1e-9
-  end
-end
-subsection Output
-  set steps per sample = 10
-end
-)",
+                               "end\n" +
+                               model_text::relaxation("1e-9",
+                                                      "set start = static equilibrium\n"
+                                                              "set end time = 0.5 ms\n") +
+                               "subsection Output\n  set steps per sample = 10\nend\n",
                              world);
     const double mass = 125 * 7.85e-9, omega = std::sqrt(1000 / mass), sag = 1e6 * mass / 1000;
     const auto  &time = swinging["time"], &way = swinging["corner displacement y"];
@@ -151,7 +131,7 @@ end
   void led_radius(Communicator &world)
   {
     auto ring = run_text("ring",
-                         "subsection Study\n set kind = static\nend\n" + prescribed_ring() + R"(
+                         model_text::study("static") + prescribed_ring() + R"(
 subsection Dynamics
   subsection Relaxation
     set tolerance = 1e-7

@@ -7,8 +7,6 @@
 
 #include <vfife/base/process/mpi_session.h>
 
-#include <algorithm>
-
 using namespace vfife;
 
 namespace

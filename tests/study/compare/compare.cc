@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Study kind compare: a coarse pair beside finite elements and the lumped model, a ring-down beside
 // modes, and the spectrum that both are read from.
+#include "../../model_sections.h"
 #include "../../refusal.h"
 #include "../../tests.h"
 #include "../quick_pair.h"
@@ -13,7 +14,6 @@
 #include <vfife/study/compare/pair/probe_passages.h>
 #include <vfife/study/compare/spectrum_lines.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iomanip>
@@ -48,8 +48,7 @@ namespace
       << pair << "subsection Contact\n set integration = explicit\nend\n";
     const std::string bodies = pair.substr(0, pair.find("subsection Dynamics"));
     std::ofstream("compare_loaded.prm")
-      << pair << "subsection Study\n set kind = loaded tooth contact analysis\nend\n"
-      << "subsection Loaded contact\n set positions = 2\n set coupled modes = 3\nend\n";
+      << pair << model_text::loaded_contact(2, "set coupled modes = 3\n");
     std::ofstream("compare_lumped.prm") << bodies << "subsection Study\n set kind = lumped\nend\n"
                                         << "subsection Lumped\n set mesh = loaded contact\n set "
                                            "damping ratio = 0.1\n set report = no\nend\n";
@@ -110,9 +109,7 @@ namespace
     const std::string pair = quick_pair("set body type = conical web", coarse_web, "1e-6");
     std::ofstream("reduced_run.prm") << pair;
     std::ofstream("reduced_pair.prm") << pair << "subsection Study\n set kind = reduced\nend\n";
-    std::ofstream("reduced_loaded.prm")
-      << pair << "subsection Study\n set kind = loaded tooth contact analysis\nend\n"
-      << "subsection Loaded contact\n set positions = 1\nend\n";
+    std::ofstream("reduced_loaded.prm") << pair << model_text::loaded_contact(1);
     const auto write = [](const std::string &cases, const std::string &entries) {
       std::ofstream file("compare_reduced.prm");
       file << "subsection Study\n set kind = compare\nend\nsubsection Compare\n set cases = "

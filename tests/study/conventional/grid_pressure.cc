@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Pressures on their own grid of a loaded tooth contact analysis of a coarse pair: the penalty
 // leaves no trace in them, and the tables agree.
+#include "../../model_sections.h"
 #include "../../tests.h"
 #include "../quick_pair.h"
 #include "../shaft_pair.h"
@@ -84,8 +85,7 @@ int main(int argc, char **argv)
   MpiSession session(argc, argv);
   std::ofstream("grid_pressure.prm")
     << quick_pair("set body type = rim only", "set elements through rim = 2", "1e-5")
-    << "subsection Study\n set kind = loaded tooth contact analysis\nend\n"
-    << "subsection Loaded contact\n set positions = 1\n set pressure cells = 8\nend\n";
+    << model_text::loaded_contact(1, "set pressure cells = 8\n");
   const std::vector<std::string> columns = {"share of torque",
                                             "transmission error",
                                             "contact length",
@@ -112,9 +112,8 @@ int main(int argc, char **argv)
   check("divided flanks are more compliant", softer > 0. && softer < .1);
   std::ofstream("grid_pressure_shafts.prm")
     << shaft_pair::pair_on_shafts("", shaft_pair::Laws(), shaft_pair::many_teeth())
-    << shaft_pair::operation("60 rpm") << shaft_pair::kind("loaded tooth contact analysis")
-    << "subsection Loaded contact\n set positions = 1\n set pressure cells = 8\n"
-       " set centrifugal = no\nend\n";
+    << shaft_pair::operation("60 rpm")
+    << model_text::loaded_contact(1, "set pressure cells = 8\nset centrifugal = no\n");
   // On bearings the redistribution sees their linear stiffness alone.
   compare_penalties(
     "grid_pressure_shafts.prm", "grid_pressure_shafts", {}, columns, session.world());

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Pressures on their own grid of a coarse pair on two ranks are those of one.
+#include "../../model_sections.h"
 #include "../../tests.h"
 #include "../quick_pair.h"
 
@@ -18,9 +19,7 @@ int main(int argc, char **argv)
     std::ofstream(file) << quick_pair("set body type = rim only",
                                       "set elements through rim = 2",
                                       "1e-5")
-                        << "subsection Study\n set kind = loaded tooth contact analysis\nend\n"
-                           "subsection Loaded contact\n set positions = 2\n"
-                           " set pressure cells = 8\nend\n";
+                        << model_text::loaded_contact(2, "set pressure cells = 8\n");
   MPI_Barrier(MPI_COMM_WORLD);
   run_pair(file, "grid_pressure_two", session.world());
   // Each rank by itself too, in a folder of its own.

@@ -1,6 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Loaded tooth contact analysis of a coarse pair by finite elements: its tables against each other,
 // its stiffnesses against what the torque does.
+#include "../../model_sections.h"
+#include "../../read_files.h"
 #include "../../tests.h"
 #include "../../vtu_file.h"
 #include "../quick_pair.h"
@@ -27,8 +29,7 @@ namespace
     const std::string given = "torque       = 800";
     all.replace(all.find(given), given.size(), "torque = " + std::to_string(torque));
     std::ofstream("loaded_contact.prm")
-      << all << "subsection Study\n set kind = loaded tooth contact analysis\nend\n"
-      << "subsection Loaded contact\n set positions = 2\nend\n"
+      << all << model_text::loaded_contact(2)
       << "subsection Output\n set field output interval = 0.5\nend\n";
     run_pair("loaded_contact.prm", folder, world);
   }
@@ -101,10 +102,8 @@ namespace
           most                  = std::max(most, distance);
         }
     check("pattern: on the drive side alone", drive > 4 && coast == 0);
-    std::ifstream                 file("loaded_contact_results/figures.json");
-    const auto                    figures = nlohmann::json::parse(file);
-    std::ifstream                 sizes("loaded_contact_results/geometry.json");
-    const auto                    geometry = nlohmann::json::parse(sizes);
+    const auto                    figures  = read_json("loaded_contact_results/figures.json");
+    const auto                    geometry = read_json("loaded_contact_results/geometry.json");
     std::map<std::string, double> from_apex;
     for (const std::string member : {"pinion", "gear"})
       from_apex[member] =
@@ -124,9 +123,8 @@ namespace
    * it, and the pressures of the gear's flanks turn it as the torque asks for. */
   void check_fields()
   {
-    std::ifstream file("loaded_contact_results/figures.json");
-    const auto    figures = nlohmann::json::parse(file);
-    const auto    figure  = [&](const std::string &name) {
+    const auto figures = read_json("loaded_contact_results/figures.json");
+    const auto figure  = [&](const std::string &name) {
       return figures.at(name).at("value").get<double>();
     };
     std::vector<VtuFile> fields;

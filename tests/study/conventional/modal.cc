@@ -2,6 +2,7 @@
 // From a parameter file to natural vibrations: the coarsest gear, one sector, two speeds, its files
 // against each other; a clamped bar against the closed form of its mesh.
 #include "../../model_sections.h"
+#include "../../read_files.h"
 #include "../../refusal.h"
 #include "../../tests.h"
 #include "../../vtu_file.h"
@@ -30,14 +31,6 @@ subsection Operation
 end
 subsection Fem
 )" + fem + "end\n";
-  }
-
-  nlohmann::json read_json(const std::string &path)
-  {
-    std::ifstream      file(path);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return nlohmann::json::parse(text.str());
   }
 
   std::size_t column(const nlohmann::json &table, const std::string &name)
@@ -158,13 +151,13 @@ subsection Fem
     constexpr unsigned int n = 8;
     std::filesystem::remove_all("modal_bar");
     std::ofstream("modal_bar.prm")
-      << "subsection Study\n set kind = modal\nend\n"
+      << model_text::study("modal")
       << model_text::section("Model",
                              "set bodies = bar\nset constraints = foot\n" +
                                model_text::block("bar", {{40, 10, 10}}, {{n, 2, 2}}) +
                                model_text::section("Constraint foot",
                                                    "set kind = fixed\nset nodes = x-\n"))
-      << "subsection Material steel\n set Poisson's ratio = 0\nend\n"
+      << model_text::no_contraction()
       << "subsection Fem\n set modes = 8\n set mass = consistent\nend\n";
     run_pair("modal_bar.prm", "modal_bar", world);
     const Table  modes   = read_result_table("modal_bar/modes.csv");
@@ -249,12 +242,10 @@ int main(int argc, char **argv)
     std::ofstream("modal.prm") << modal("set bodies = " + bodies + "\n");
     return message_of([&] { run_pair("modal.prm", "modal_results", session.world()); });
   };
-  check("a misspelt body is named",
-        refusal("geer").find("did you mean \"gear\"") != std::string::npos);
+  check("a misspelt body is named", has_text(refusal("geer"), "did you mean \"gear\""));
   const std::string unlike = refusal("flywheel");
   check("bodies are listed where none is alike",
-        unlike.find("did you mean") == std::string::npos &&
-          unlike.find("expected a body, got \"flywheel\" (bodies: pinion, gear)") !=
-            std::string::npos);
+        !has_text(unlike, "did you mean") &&
+          has_text(unlike, "expected a body, got \"flywheel\" (bodies: pinion, gear)"));
   return 0;
 }

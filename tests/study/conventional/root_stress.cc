@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Root stresses and strain gauges of a loaded tooth contact analysis of a coarse pair.
+#include "../../model_sections.h"
 #include "../../refusal.h"
 #include "../../tests.h"
 #include "../quick_pair.h"
@@ -20,9 +21,7 @@ namespace
   {
     std::ofstream("root_stress.prm")
       << quick_pair("set body type = rim only", "set elements through rim = 2", "1e-5")
-      << "subsection Study\n set kind = loaded tooth contact analysis\nend\n"
-      << "subsection Loaded contact\n set positions = 2\nend\n"
-      << more;
+      << model_text::loaded_contact(2) << more;
   }
 
   struct Extremes

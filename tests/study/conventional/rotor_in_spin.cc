@@ -4,6 +4,7 @@
 // axes that turn cannot have is refused, or named.
 #include "../../model_sections.h"
 #include "../../parts.h"
+#include "../../read_files.h"
 #include "../../refusal.h"
 #include "../../tests.h"
 #include "../quick_pair.h"
@@ -243,10 +244,10 @@ namespace
   std::string warnings_of(const std::string &folder)
   {
     std::string          all;
-    const nlohmann::json summary = nlohmann::json::parse(std::ifstream(folder + "/summary.json"));
+    const nlohmann::json summary = read_json(folder + "/summary.json");
     // The rigid material is none of a solid, which is said too.
     for (const nlohmann::json &warning : summary.at("warnings"))
-      if (const auto text = warning.get<std::string>(); text.find("Young's modulus") == text.npos)
+      if (const auto text = warning.get<std::string>(); !has_text(text, "Young's modulus"))
         all += text + "\n";
     return all;
   }
@@ -260,15 +261,14 @@ namespace
     const auto   &ratios = damped.at("damping ratio");
     check("dampers: ratios are not known",
           std::all_of(ratios.begin(), ratios.end(), [](const double r) { return std::isnan(r); }));
-    check("dampers: named", warnings_of("damped").find("left, right") != std::string::npos);
+    check("dampers: named", has_text(warnings_of("damped"), "left, right"));
     std::string       mean  = rigid_cylinder("modal", unequal(), "", "");
     const std::string axial = "set axial stiffness = 5000\n";
     mean.replace(mean.find(axial), axial.size(), "");
     const Columns modes = find_modes("mean", mean + fem(8, "0, 3000 rpm"), world);
     const auto    text  = warnings_of("mean");
     for (const char *part : {"\"left\"", "\"right\"", "1000 and 4000 N/mm", "mean 2500 N/mm"})
-      check(std::string("unequal bearings: the warning says ") + part,
-            text.find(part) != std::string::npos);
+      check(std::string("unequal bearings: the warning says ") + part, has_text(text, part));
     const double        m = Material().density * pi / 4 * diameter * diameter * length;
     std::vector<double> at_rest, in_spin;
     for (std::size_t i = 0; i < modes.at("speed").size(); ++i)

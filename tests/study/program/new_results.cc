@@ -2,6 +2,7 @@
 // Studies one after the other in one folder, whatever their kinds: results of the earlier one are
 // put away, and stay as they are where the input of the new one is refused, early or late.
 #include "../../model_sections.h"
+#include "../../read_files.h"
 #include "../../tests.h"
 #include "../forged_checkpoint.h"
 #include "../quick_pair.h"
@@ -34,8 +35,7 @@ namespace
                   Communicator      &world,
                   const bool         restart = false)
   {
-    std::ofstream("new_results.prm") << "subsection Study\n  set kind = " << kind << "\nend\n"
-                                     << model << more;
+    std::ofstream("new_results.prm") << model_text::study(kind) << model << more;
     try
       {
         run_pair("new_results.prm", folder, world, {}, restart);
@@ -53,7 +53,7 @@ namespace
 
   nlohmann::json read_summary()
   {
-    return nlohmann::json::parse(std::ifstream(folder + "/summary.json"));
+    return read_json(folder + "/summary.json");
   }
 
   bool has(const std::string &file)
@@ -196,8 +196,7 @@ int main(int argc, char **argv)
   check("modes, report and pictures are put away",
         has("previous/modes.json") && has("previous/report.html") &&
           has("previous/pictures/dte.svg") &&
-          nlohmann::json::parse(read_text(folder + "/previous/summary.json")).at("study") ==
-            "modal");
+          read_json(folder + "/previous/summary.json").at("study") == "modal");
 
   // One that is broken off, as by a kill, has neither an end nor a checkpoint.
   check("the same kind", run("linear static", quiet, session.world()) == "done");

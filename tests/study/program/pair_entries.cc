@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Entries of a pair that files hardly ever set (material, export, spin of a loaded contact, the
 // benchmark), and the numbers that a run writes of itself, on meshes as coarse as they go.
+#include "../../model_sections.h"
 #include "../../parts.h"
 #include "../../read_files.h"
 #include "../../tests.h"
@@ -125,9 +126,8 @@ end
   {
     run("pair_loaded",
         bodies() + "subsection Operation\n  set torque = 800 N m\n  set speed = " + speed +
-          "\nend\nsubsection Study\n  set kind = loaded tooth contact analysis\nend\n" +
-          "subsection Loaded contact\n  set positions = 1\n  set centrifugal = " + centrifugal +
-          "\nend\n" + "subsection Contact\n  set penalty = 6e5\nend\n",
+          "\nend\n" + model_text::loaded_contact(1, "set centrifugal = " + centrifugal + "\n") +
+          "subsection Contact\n  set penalty = 6e5\nend\n",
         world);
     auto columns = read_columns("pair_loaded/loaded_contact.csv");
     return {{columns["unloaded transmission error"][0], columns["transmission error"][0]}};

@@ -6,11 +6,9 @@
 #include "../quick_pair.h"
 
 #include <vfife/base/errors.h>
-#include <vfife/base/process/command_line.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/mpi_session.h>
-#include <vfife/study/study.h>
 
 #include <fstream>
 #include <sstream>

@@ -2,6 +2,7 @@
 // A gear whose teeth 20 to 70 have 10 um more metal on both flanks than the others: where these
 // carry, the loaded contact analysis and a run of the coarse pair have the transmission error of
 // the gear without errors and F/r of the turned teeth.
+#include "../../model_sections.h"
 #include "../../refusal.h"
 #include "../../tests.h"
 #include "../quick_pair.h"
@@ -41,9 +42,8 @@ namespace
   {
     std::filesystem::remove_all("loaded_errors");
     std::ofstream("loaded_errors.prm")
-      << pair_text(20, end) << "subsection Study\n set kind = loaded tooth contact analysis\nend\n"
-      << "subsection Loaded contact\n set positions = 2\n set first position = " << mesh
-      << "\nend\n";
+      << pair_text(20, end)
+      << model_text::loaded_contact(2, "set first position = " + std::to_string(mesh) + "\n");
     run_pair("loaded_errors.prm", "loaded_errors", world);
     return read_columns("loaded_errors/loaded_contact.csv");
   }

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // From a parameter file to results: one mesh cycle of a coarse pair with a conical web.
+#include "../../model_sections.h"
 #include "../../read_files.h"
 #include "../../tests.h"
 #include "../quick_pair.h"
@@ -14,7 +15,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <filesystem>
 #include <numeric>
 
@@ -124,9 +124,8 @@ namespace
           inertia > own && inertia < 1.15 * own);
 
     std::filesystem::remove_all("gear_pair_loaded");
-    std::ofstream("gear_pair_loaded.prm")
-      << "include gear_pair.prm\nsubsection Study\n set kind = loaded tooth contact analysis\nend\n"
-      << "subsection Loaded contact\n set positions = 1\nend\n";
+    std::ofstream("gear_pair_loaded.prm") << "include gear_pair.prm\n"
+                                          << model_text::loaded_contact(1);
     run_pair("gear_pair_loaded.prm", "gear_pair_loaded", world);
     auto       loaded = read_columns("gear_pair_loaded/loaded_contact.csv");
     const auto linear = [&](const char *name) { return loaded.at(name).front(); };

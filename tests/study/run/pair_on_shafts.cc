@@ -46,13 +46,13 @@ namespace
     const std::string pair     = pair_on_shafts(entries) + operation("60 rpm"),
                       analysis = name + "_loaded", of_run = name + "_run";
     run_pair(write(analysis,
-                   kind("loaded tooth contact analysis") + pair +
+                   study("loaded tooth contact analysis") + pair +
                      "subsection Loaded contact\nset positions = 1\nset centrifugal = no\nend\n"),
              analysis,
              world);
     check_balance(name + ": loaded analysis", analysis, 1e-6);
     run_pair(write(of_run,
-                   kind("run") + pair +
+                   study("run") + pair +
                      "subsection Dynamics\nset maximum number of steps = 20\nend\n"),
              of_run,
              world);
@@ -105,7 +105,7 @@ namespace
     summary["steady part"]["start"] = {{"value", 0.}, {"unit", "s"}};
     std::ofstream(of_run + "/summary.json") << summary;
     run_case(write(name + "_compare",
-                   kind("compare") +
+                   study("compare") +
                      "subsection Compare\nset cases = run, loaded\nset report = no\n"
                      "subsection Case run\nset results = " +
                      of_run + "\nend\nsubsection Case loaded\nset results = " + name +
@@ -169,7 +169,7 @@ namespace
   void stiff_limit(Communicator &world)
   {
     // A million times steel, on penalty springs that stay what they are.
-    const std::string rest = operation("60 rpm") + kind("loaded tooth contact analysis") +
+    const std::string rest = operation("60 rpm") + study("loaded tooth contact analysis") +
                              "subsection Material steel\nset Young's modulus = 2.06e11\nend\n"
                              "subsection Contact\nset penalty = 6e5\nend\n"
                              "subsection Loaded contact\nset positions = 2\n"
@@ -205,7 +205,7 @@ namespace
   {
     const std::string steps = "Dynamics/maximum number of steps=";
     const std::string file =
-      write("goes_on", kind("run") + pair_on_shafts() + operation("20000 rpm"));
+      write("goes_on", study("run") + pair_on_shafts() + operation("20000 rpm"));
     std::filesystem::remove_all("whole");
     std::filesystem::remove_all("parts");
     run_pair(file, "whole", world, {steps + "120"});
@@ -232,7 +232,7 @@ namespace
   /** Each member by itself in spin: the driven one turns freely, and nothing holds its turn. */
   void spin(Communicator &world)
   {
-    run_pair(write("spin", kind("linear static") + pair_on_shafts() + operation("20000 rpm")),
+    run_pair(write("spin", study("linear static") + pair_on_shafts() + operation("20000 rpm")),
              "spin",
              world);
     const Table                    table = read_result_table("spin/reactions.csv");
@@ -270,7 +270,7 @@ namespace
 
   void refusals(Communicator &world)
   {
-    write("refused", kind("run") + pair_on_shafts() + operation("20000 rpm"));
+    write("refused", study("run") + pair_on_shafts() + operation("20000 rpm"));
     const std::string shaft = "Gear pair/Pinion/Shaft/", front = shaft + "Bearing front/";
     refused(front + "from=20", world);
     refused(front + "to=200", world);
@@ -298,20 +298,20 @@ namespace
     for (unsigned int i = 0; i < 900; ++i)
       askew << (i % 30 == i / 30 ? 1e6 : i == 1 ? 1e5 : 0.) << "\n";
     askew.close();
-    write("refused", kind("linear static") + pair_on_shafts() + operation("60 rpm"));
+    write("refused", study("linear static") + pair_on_shafts() + operation("60 rpm"));
     refused("Gear pair/Housing/stiffness=askew.mtx", world);
     write("refused",
-          kind("run") + coarse_pair("set body type = rim only", "set elements through rim = 2") +
+          study("run") + coarse_pair("set body type = rim only", "set elements through rim = 2") +
             operation("20000 rpm"));
     refused("Gear pair/Housing/stiffness=short.mtx", world);
     write("refused",
-          kind("run") + coarse_pair("set body type = rim only", "set elements through rim = 2") +
+          study("run") + coarse_pair("set body type = rim only", "set elements through rim = 2") +
             "subsection Gear pair\nsubsection Gear\nsubsection Shaft\n"
             "set bearings = one\nend\nend\nend\n" +
             operation("20000 rpm"));
     refused("Gear pair/Gear/Shaft/Bearing one/radial stiffness=1", world);
     write("refused",
-          kind("run") + coarse_pair("set body type = conical web\n", coarse_web) +
+          study("run") + coarse_pair("set body type = conical web\n", coarse_web) +
             "subsection Gear pair\nsubsection Gear\nsubsection Shaft\n"
             "set sections = -10 120 100 60\nend\nend\nend\n" +
             operation("20000 rpm"));

@@ -6,7 +6,6 @@
 #include "../history_difference.h"
 #include "../quick_pair.h"
 
-#include <algorithm>
 #include <filesystem>
 
 namespace

@@ -2,6 +2,7 @@
 // Pressures on their own grid at instants of runs of a coarse pair: their sum is the force of the
 // tooth pair, a run and a reduced pair in equilibrium have those of the loaded tooth contact
 // analysis, friction stays out of them; instants that are none are refused.
+#include "../../model_sections.h"
 #include "../../refusal.h"
 #include "../../tests.h"
 #include "../quick_pair.h"
@@ -22,11 +23,6 @@ namespace
   Table read(const std::string &folder, const std::string &file)
   {
     return read_result_table(folder + "/" + file);
-  }
-
-  std::string kind(const std::string &name)
-  {
-    return "subsection Study\n set kind = " + name + "\nend\n";
   }
 
   std::string pressure(const std::string &entries)
@@ -124,8 +120,8 @@ namespace
                                 "set every = 2\n",
                                 "set every = 0.5\n set last = 3\n",
                                 "set every = 0.0005\n"})
-      refuse(pair + kind("run") + pressure(entries));
-    refuse(pair + kind("reduced") + pressure("set every = 0.5\n"),
+      refuse(pair + model_text::study("run") + pressure(entries));
+    refuse(pair + model_text::study("reduced") + pressure("set every = 0.5\n"),
            {"Reduced/sweep=up", "Reduced/lowest speed=1000 rpm", "Reduced/highest speed=2000 rpm"});
   }
 } // namespace
@@ -141,7 +137,7 @@ int main(int argc, char **argv)
   // Instants at samples, one of them given as a time.
   const std::string instants =
     pressure(" set instants = 0.5, 0\n set every = 0.5\n set last = 0.5\n");
-  std::ofstream("run_pressure.prm") << pair << kind("run") << instants;
+  std::ofstream("run_pressure.prm") << pair << model_text::study("run") << instants;
   run_pair("run_pressure.prm", "run_pressure", world);
   check_forces("run_pressure", false, 1e-8);
   const Table                teeth = read("run_pressure", "pressure.csv");
@@ -153,19 +149,19 @@ int main(int argc, char **argv)
               1.,
               1e-9);
   std::ofstream("run_pressure_loaded.prm")
-    << pair << kind("loaded tooth contact analysis")
-    << "subsection Loaded contact\n set positions = 1\n set pressure cells = 8\nend\n";
+    << pair << model_text::loaded_contact(1, "set pressure cells = 8\n");
   run_pair("run_pressure_loaded.prm", "run_pressure_loaded", world);
   check_start("run_pressure");
 
-  std::ofstream("run_pressure_reduced.prm") << pair << kind("reduced") << instants;
+  std::ofstream("run_pressure_reduced.prm") << pair << model_text::study("reduced") << instants;
   run_pair("run_pressure_reduced.prm", "run_pressure_reduced", world);
   check_forces("run_pressure_reduced", false, 1e-6);
   check_start("run_pressure_reduced");
 
   // Tangential tractions stay where they are.
   std::ofstream("run_pressure_rubbed.prm")
-    << pair << kind("run") << "subsection Contact\n set friction coefficient = 0.2\nend\n"
+    << pair << model_text::study("run")
+    << "subsection Contact\n set friction coefficient = 0.2\nend\n"
     << instants;
   run_pair("run_pressure_rubbed.prm", "run_pressure_rubbed", world);
   check_forces("run_pressure_rubbed", true, 1e-8);

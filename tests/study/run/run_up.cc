@@ -77,7 +77,7 @@ namespace
                 orders.at("speed")[0] / speed_at(orders.at("time")[0]),
                 1.,
                 1e-12);
-    const auto summary = nlohmann::json::parse(read_text("whole/summary.json"));
+    const auto summary = read_json("whole/summary.json");
     check("no steady part, and no figures that hold at one speed only",
           !summary.contains("steady part") && !summary.at("figures").contains("mesh frequency") &&
             summary.at("figures").contains("mesh frequency at the start"));
@@ -116,7 +116,7 @@ namespace
     check("shipped file: contact is kept",
           *std::min_element(history.at("contact force total").begin(),
                             history.at("contact force total").end()) > 0);
-    const auto figures = nlohmann::json::parse(read_text("shipped/summary.json")).at("figures");
+    const auto figures = read_json("shipped/summary.json").at("figures");
     check_close("shipped file: damping by its ratio [1/s]",
                 figures.at("damping").at("value").get<double>(),
                 4 * pi * 3700 * .005,

@@ -42,7 +42,7 @@ namespace
 
   void step(Communicator &world)
   {
-    const std::string rest = operation("20000 rpm") + kind("run");
+    const std::string rest = operation("20000 rpm") + study("run");
     // A mesh cycle has a whole number of samples: of single steps.
     std::vector<std::string> entries = {"Output/samples per mesh cycle=1"};
     const Steps bores  = find_steps(write("bores", many_teeth() + rest), entries, world),
@@ -90,11 +90,11 @@ namespace
   {
     const std::string pair = on_shafts() + operation("1700 rpm");
     run_pair(write("slow_loaded",
-                   kind("loaded tooth contact analysis") + pair +
+                   study("loaded tooth contact analysis") + pair +
                      "subsection Loaded contact\nset positions = 8\nset centrifugal = no\nend\n"),
              "slow_loaded",
              world);
-    run_pair(write("slow_run", kind("run") + pair), "slow_run", world);
+    run_pair(write("slow_run", study("run") + pair), "slow_run", world);
     const auto run    = read_columns("slow_run/history.csv");
     const auto loaded = read_columns("slow_loaded/loaded_contact.csv");
     check_close("slow run: mean transmission error over that of the analysis",

@@ -51,10 +51,9 @@ namespace vfife
     double min(double value) const;
     double max(double value) const;
 
-    unsigned long long sum(unsigned long long value) const;
-    unsigned int       sum(unsigned int value) const;
-    unsigned int       min(unsigned int value) const;
-    unsigned int       max(unsigned int value) const;
+    unsigned int sum(unsigned int value) const;
+    unsigned int min(unsigned int value) const;
+    unsigned int max(unsigned int value) const;
 
     /** Whether it is true on any rank. */
     bool any(bool condition) const;
@@ -64,7 +63,6 @@ namespace vfife
 
     /** Entry by entry over the ranks, in place; same length everywhere. */
     void sum(std::vector<double> &values) const;
-    void min(std::vector<double> &values) const;
     void max(std::vector<double> &values) const;
     void sum(double *values, unsigned int n) const;
 

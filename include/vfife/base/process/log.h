@@ -85,9 +85,6 @@ namespace vfife
     /** Takes over what was warned of in an earlier part of the run, before its own. */
     void take_warnings(std::vector<Warning> earlier);
 
-    /** How often it was warned, repetitions included. */
-    unsigned int n_warnings() const;
-
   private:
     template <typename... Parts>
     static std::string text_of(const Parts &...parts)

@@ -74,9 +74,6 @@ namespace vfife
     /** For checkpoints: passes the rows. Throws InputError where stored rows have other columns. */
     void serialize_rows(ByteStream &stream);
 
-    /** Forgets the rows and keeps the columns. */
-    void clear_rows();
-
     std::size_t n_rows() const
     {
       return n_rows_;

@@ -79,11 +79,8 @@ namespace vfife
      * in the name of Fem/modes, where more modes are asked for than largest_number(). */
     ModalSolver(const FemSystem &system, const FemOptions &options);
 
-    /** Modes of the bodies at rest; their rigid motions are those that the model leaves free. */
-    ModalResult solve() const;
-
     /**
-     * Modes of other matrices on the same pattern, e.g. at speed; @p lowest is a guess of the
+     * Modes of matrices on the pattern of the system; @p lowest is a guess of the
      * lowest eigenvalue [rad^2/s^2], 0 or what motions are softened to; @p rigid are the motions
      * that nothing opposes, as displacements of all points (each copy).
      */

@@ -4,9 +4,8 @@
 
 #include <vfife/base/text/table.h>
 #include <vfife/fem/statics/static_solver.h>
-#include <vfife/study/study_kind.h>
 
-#include <memory>
+#include <string>
 
 namespace vfife
 {
@@ -33,13 +32,6 @@ namespace vfife
 
     StaticLoads loads() const;
   };
-
-  /**
-   * Study kind `linear static`: small displacements of a general model, or of the members of a
-   * gear pair in their turning axes without contact and torque, by conventional finite elements.
-   * The file is that of a run: section Dynamics is read and not used.
-   */
-  std::unique_ptr<StudyKind> make_linear_static_study();
 
   /** adaptive_refinement.csv without rows: a row per mesh; the unit of the value is in the text
    * beside it. */

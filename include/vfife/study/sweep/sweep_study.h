@@ -7,7 +7,6 @@
 #include <vfife/study/sweep/error_bars.h>
 #include <vfife/study/sweep/history_figure.h>
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -116,8 +115,6 @@ namespace vfife
 
   /** sweep.csv without rows: the values of parameters, and figures of the runs. */
   Table make_sweep_table(const std::vector<std::string> &parameters, const NamedFigures &figures);
-
-  std::unique_ptr<StudyKind> make_sweep_study(const CaseRunner &runner);
 } // namespace vfife
 
 #endif
