@@ -1,7 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Rows of tables of doc/verification, made again: the cheapest row of each table that no other test
-// makes. The numbers are those of the pages, read from there, and have to agree within one unit of
-// their last digit; contrib/check_pages asks for such a row of every table.
+// makes; and the column of the coarse mesh of the errors by default. The numbers are those of the
+// pages, read from there, and have to agree within one unit of their last digit;
+// contrib/check_pages asks for such a row of every table.
 #include "../../parts.h"
 #include "../../read_files.h"
 #include "../../tests.h"
@@ -22,7 +23,8 @@ namespace
   const std::string element_page  = "verification/element.md",
                     dynamics_page = "verification/dynamics.md",
                     pair_page     = "verification/gear-pair.md",
-                    paper         = "verification/case-study-27-79.md";
+                    paper         = "verification/case-study-27-79.md",
+                    default_page  = "how-to/choose-the-mesh.md";
 
   /** The page of gear pairs states the coarse pair with them. */
   const std::string three_points = "Contact/points per facet=3";
@@ -270,6 +272,33 @@ namespace
     check("  all of them", n == numbers_in(row[1]).size());
   }
 
+  /** The table of default errors, coarse mesh: a loaded analysis as it is, and with a fillet. */
+  void default_errors(Communicator &world)
+  {
+    nlohmann::json figures;
+    const auto     analyse = [&](std::vector<std::string> entries) {
+      entries.insert(entries.end(), {"Output/report=no"});
+      figures = read_json(do_case("prm/fem/loaded_spiral_bevel_quick.prm", entries, world) +
+                          "figures.json");
+    };
+    const auto compare_row = [&](const std::string                        &beginning,
+                                 const std::initializer_list<const char *> names) {
+      const auto  row = row_of(default_page, "## How wrong", beginning);
+      std::size_t i   = 0;
+      for (const char *name : names)
+        compare(name, row[1], i++, figures.at(name).at("value").get<double>());
+    };
+    analyse({});
+    compare_row("mean transmission error", {"transmission error mean"});
+    compare_row("ripple", {"transmission error peak to peak"});
+    compare_row("largest pressure", {"largest pressure inside on its own grid"});
+    compare_row("root tension", {"pinion root tension", "gear root tension"});
+    compare_row("root compression", {"pinion root compression", "gear root compression"});
+    compare_row("largest von Mises stress of the web", {"web von mises largest"});
+    analyse({"Gear pair/Gear/Body/hub fillet radius=2 mm", "Loaded contact/positions=1"});
+    compare_row("tension of the web at the hub", {"gear hub fillet tension"});
+  }
+
   /** The equilibrium before the run of the coarse reference pair, with and without its web. */
   void paper_pair(Communicator &world)
   {
@@ -331,5 +360,6 @@ int main(int argc, char **argv)
                     spinning_block,
                     bars_and_beams,
                     loaded_pair,
+                    default_errors,
                     paper_pair});
 }
