@@ -42,8 +42,9 @@ namespace
   {
     std::filesystem::remove_all("loaded_errors");
     std::ofstream("loaded_errors.prm")
-      << pair_text(20, end)
-      << model_text::loaded_contact(2, "set first position = " + std::to_string(mesh) + "\n");
+      << pair_text(20, end) << model_text::study("loaded tooth contact analysis")
+      << "subsection Loaded contact\n set positions = 2\n set first position = " << mesh
+      << "\nend\n";
     run_pair("loaded_errors.prm", "loaded_errors", world);
     return read_columns("loaded_errors/loaded_contact.csv");
   }
