@@ -18,7 +18,7 @@ namespace vfife
     const Choices<bool> precisions = {{"double", false}, {"single", true}};
 
     const Choices<Start> starts = {{"static equilibrium", Start::static_preload},
-                                   {"steady swing", Start::steady_swing},
+                                   {"steady torsional vibration", Start::steady_swing},
                                    {"ramp", Start::ramp},
                                    {"undeformed", Start::undeformed}};
 
@@ -148,13 +148,14 @@ namespace vfife
                    Range::between(0., 1.));
     default_damping_ = damping;
     declare_damping(prm, *this);
-    declare_choice(prm,
-                   "start",
-                   start,
-                   starts,
-                   "Initial state of a gear pair or general model. static equilibrium: starts "
-                   "loaded; steady swing: starts with the periodic vibration at the mesh "
-                   "frequency; ramp: torque grows linearly; undeformed: starts unloaded");
+    declare_choice(
+      prm,
+      "start",
+      start,
+      starts,
+      "Initial state of a gear pair or general model. static equilibrium: starts "
+      "loaded; steady torsional vibration: starts with the periodic vibration at the mesh "
+      "frequency; ramp: torque grows linearly; undeformed: starts unloaded");
     declare_choice(prm,
                    "start solver",
                    start_solver,

@@ -193,7 +193,7 @@ namespace vfife
                      "Moment of inertia about the own axis" + from,
                      Range::not_negative());
     declare_quantity(prm,
-                     "arm",
+                     "lever arm",
                      arm,
                      "mm",
                      "Lever arm of the contact normal about the gear's axis" + from,
@@ -263,7 +263,7 @@ namespace vfife
     need(driven_teeth > 0, "gear teeth");
     need(driven_inertia > 0, "gear inertia");
     need(!driver_is_free || driver_inertia > 0, "pinion inertia");
-    need(arm > 0, "arm");
+    need(arm > 0, "lever arm");
     need(backlash >= 0, "backlash");
     need(supports.empty() || contact_normal.norm() > 0, "contact normal");
     LumpedPair pair;

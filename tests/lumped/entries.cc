@@ -31,7 +31,7 @@ namespace
   set pinion teeth = 27
   set gear teeth   = 79
   set gear inertia = 20000 kg mm^2
-  set arm          = 90 mm
+  set lever arm    = 90 mm
   set backlash     = )" << backlash
                                   << "\n"
                                   << mesh << "\n"

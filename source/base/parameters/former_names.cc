@@ -45,6 +45,8 @@ namespace vfife
        "bore rotation",
        {{"rigid hub", "rigid"}, {"free rotation", "per node"}}},
       {"Operation", "allowed contact pressure", "contact stress limit", {}},
+      {"Dynamics", "start", "start", {{"steady swing", "steady torsional vibration"}}},
+      {"Lumped", "arm", "lever arm", {}},
       {"Dynamics", "damping", "mass proportional damping", {}},
       {"Dynamics", "mesh damping", "driven speed damping", {}},
       {"Dynamics", "damping rate", "damping reference", {}},

@@ -102,14 +102,15 @@ namespace vfife
     if (!judged)
       return "the ripple is not judged: two whole mesh cycles are required";
     std::ostringstream text;
-    text << "the ripple " << (steady ? "is steady in time" : "is NOT steady in time")
-         << ", peak to peak and harmonics of the first and the second half differ by ";
-    const char *separator = "";
+    text << "the ripple " << (steady ? "is steady in time" : "is not steady in time");
+    const char *separator = ": ";
     for (const RippleChange &column : columns)
       {
-        text << separator << figure_text(100 * column.change) << " % (" << column.name << " "
-             << figure_text(column.peak_to_peak_before) << " and "
-             << figure_text(column.peak_to_peak_after) << " " << column.unit << ")";
+        text << separator << column.name << " has " << figure_text(column.peak_to_peak_before)
+             << " " << column.unit << " peak to peak in the first half and "
+             << figure_text(column.peak_to_peak_after) << " " << column.unit
+             << " in the second (peak to peak and harmonics change by up to "
+             << figure_text(100 * column.change) << " %)";
         separator = ", ";
       }
     return text.str();

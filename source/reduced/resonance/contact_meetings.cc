@@ -323,9 +323,9 @@ namespace vfife
     table.add_column("nodal diameter", "-");
     table.add_column("order", "-");
     table.add_column("share of the wave", "-");
-    table.add_column("share of the turn", "-");
+    table.add_column("share of the rotation", "-");
     table.add_column("amplitude", "um");
-    table.add_column("amplitude of the turn", "arcsec");
+    table.add_column("amplitude of the rotation", "arcsec");
     table.add_column("amplitude of the moment", "N m");
     for (const ContactMeeting &meeting : meetings)
       {

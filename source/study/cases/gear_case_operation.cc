@@ -155,10 +155,10 @@ namespace vfife
   void GearCase::check_run(const DynamicsOptions &dynamics) const
   {
     if (dynamics.start == Start::undeformed)
-      throw InputError(
-        "Dynamics/start",
-        "expected \"static equilibrium\", \"steady swing\" or \"ramp\" for a gear pair, "
-        "got \"undeformed\", which is for models of the section Model");
+      throw InputError("Dynamics/start",
+                       "expected \"static equilibrium\", \"steady torsional vibration\" or "
+                       "\"ramp\" for a gear pair, "
+                       "got \"undeformed\", which is for models of the section Model");
     check_histories(dynamics);
     check_dampers(dynamics);
   }

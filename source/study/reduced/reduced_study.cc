@@ -77,10 +77,10 @@ namespace vfife
         output_.check("Output");
         sweep_.check("Reduced");
         if (dynamics_.start == Start::ramp)
-          throw InputError(
-            "Dynamics/start",
-            "expected \"steady swing\" or \"static equilibrium\" for a reduced pair, got "
-            "\"ramp\"");
+          throw InputError("Dynamics/start",
+                           "expected \"steady torsional vibration\" or \"static equilibrium\" for "
+                           "a reduced pair, got "
+                           "\"ramp\"");
         fillets_.check();
         instants_.check();
         if (!is_motion() && instants_.asked_for())

@@ -33,7 +33,7 @@ namespace
         const double p = static_cast<double>(i) / n;
         curve.push_back(-80. + 3. * std::cos(2 * pi * p + 1.) + std::cos(4 * pi * p - 2.));
       }
-    return estimate_swing(curve, mesh_frequency, TurningModes(make_modes("standing"), least_share));
+    return estimate_swing(curve, mesh_frequency, TurningModes(make_modes("fixed"), least_share));
   }
 
   /** r^2/(1 - r^2) of a mode. */
@@ -54,11 +54,11 @@ int main()
   check("slow: nothing is added", estimate(16, 1., .02) < 1e-5);
   check("the second harmonic near the mode counts", estimate(16, 499., .02) > 100.);
 
-  Table both = make_modes("standing");
-  both.add_row({std::string("turning"), 900., .5});
+  Table both = make_modes("fixed");
+  both.add_row({std::string("rotating"), 900., .5});
   check("modes standing in space are taken where there are such",
         TurningModes(both, .02).frequencies == std::vector<double>{1000.});
   check("else those in turning axes",
-        TurningModes(make_modes("turning"), .02).frequencies == std::vector<double>{1000.});
+        TurningModes(make_modes("rotating"), .02).frequencies == std::vector<double>{1000.});
   return 0;
 }

@@ -138,8 +138,8 @@ namespace
     const Table modes = read_result_table("coupled_modes_results/coupled_modes.csv");
     const auto &axes  = modes.column("axes").texts;
     check("four modes each, in turning axes and standing",
-          modes.n_rows() == 8 && std::count(axes.begin(), axes.end(), "turning") == 4 &&
-            std::count(axes.begin(), axes.end(), "standing") == 4);
+          modes.n_rows() == 8 && std::count(axes.begin(), axes.end(), "rotating") == 4 &&
+            std::count(axes.begin(), axes.end(), "fixed") == 4);
     // The pair swings as the gear on the mesh, the pinion held at its bore: without a web the gear
     // is nearly rigid beside the contact. The stiffness is that of the loaded equilibrium.
     auto         positions = read_columns("coupled_modes_results/loaded_contact.csv");
@@ -194,7 +194,7 @@ namespace
     const auto value = [&table](const char *name) { return table.numbers(name)[1]; };
     check("table: rows",
           table.column("axes").texts ==
-              std::vector<std::string>({"turning", "turning", "standing"}) &&
+              std::vector<std::string>({"rotating", "rotating", "fixed"}) &&
             table.numbers("mode") == std::vector<double>({1, 2, 1}));
     check("table: each number in its column",
           value("frequency") == 101 && value("share of the static rotation") == .02 &&

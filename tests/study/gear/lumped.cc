@@ -176,10 +176,10 @@ int main(int argc, char **argv)
 
   refuse(" set stiffness = 2 MN m/rad\n", session.world());
   refuse(" set stiffness = 2 MN m/rad\n set stiffness cosines = 0.7, 0.4\n set pinion teeth = 27\n"
-         " set gear teeth = 79\n set gear inertia = 1\n set arm = 90\n set backlash = 0\n",
+         " set gear teeth = 79\n set gear inertia = 1\n set lever arm = 90\n set backlash = 0\n",
          session.world());
   refuse(" set mesh = loaded contact\n set table = nothing.csv\n set pinion teeth = 27\n"
-         " set gear teeth = 79\n set gear inertia = 1\n set arm = 90\n set backlash = 0\n",
+         " set gear teeth = 79\n set gear inertia = 1\n set lever arm = 90\n set backlash = 0\n",
          session.world());
   refuse(" set stiffness = 2 MN m\n", session.world());
   return 0;

@@ -260,7 +260,7 @@ namespace
       });
     std::size_t n = 0;
     for (std::size_t i = 0; i < table.n_rows(); ++i)
-      if (axes->texts[i] == "standing" && table.numbers("share of the static rotation")[i] > 0.04)
+      if (axes->texts[i] == "fixed" && table.numbers("share of the static rotation")[i] > 0.04)
         {
           const std::string name = "mode " + std::to_string(n / 2 + 1);
           compare(name + " [Hz]", row[1], n++, table.numbers("frequency")[i]);

@@ -220,7 +220,7 @@ end
     const Columns         low = read_columns("swing/waves_in_contact.csv");
     std::map<int, double> swing;
     for (std::size_t m = 0; m < low.at("speed").size(); ++m)
-      if (low.at("share of the turn")[m] > .5)
+      if (low.at("share of the rotation")[m] > .5)
         swing[int(low.at("mesh order")[m])] = low.at("speed")[m];
     check("the torsional mode meets the first and the second order",
           swing.count(1) == 1 && swing.count(2) == 1);

@@ -37,7 +37,7 @@ namespace
   /** After the start [mesh cycles]. */
   double passage(const std::string &folder, const std::string &probe)
   {
-    return value_of(read_probe(folder, probe), "passes the mesh") * mesh_frequency;
+    return value_of(read_probe(folder, probe), "time at the mean contact") * mesh_frequency;
   }
 
   /** Stresses of a probe of a table, by its times or places. */

@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// Dynamics/start = steady swing: its motion by an integration in time, and runs that begin in it
-// beside runs that begin at rest.
+// Dynamics/start = steady torsional vibration: its motion by an integration in time, and runs that
+// begin in it beside runs that begin at rest.
 #include "../../parts.h"
 #include "../../tests.h"
 #include "../quick_pair.h"
@@ -112,7 +112,7 @@ namespace
       {
         const double rest = ripple_of(kind, "static equilibrium", world);
         check_below(std::string(kind) + ": peak to peak over that from rest",
-                    ripple_of(kind, "steady swing", world) / rest,
+                    ripple_of(kind, "steady torsional vibration", world) / rest,
                     .5);
       }
   }

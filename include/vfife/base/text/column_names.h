@@ -102,9 +102,9 @@ namespace vfife
   /** What the column `axes` of coupled modes says. */
   namespace axes_of_modes
   {
-    constexpr char turning[]  = "turning";
-    constexpr char standing[] = "standing"; ///< in space, as the load does
-  }                                         // namespace axes_of_modes
+    constexpr char turning[]  = "rotating";
+    constexpr char standing[] = "fixed"; ///< as those of the load
+  }                                      // namespace axes_of_modes
 } // namespace vfife
 
 #endif

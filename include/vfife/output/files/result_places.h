@@ -35,7 +35,7 @@ namespace vfife
     constexpr char probes[]             = "/probes"; ///< by name
 
     // Of a probe.
-    constexpr char passes_mesh[]           = "passes the mesh"; ///< [s]
+    constexpr char passes_mesh[]           = "time at the mean contact"; ///< [s]
     constexpr char largest_of_revolution[] = "largest per revolution";
     constexpr char median_of_revolution[]  = "median per revolution";
 

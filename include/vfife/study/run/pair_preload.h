@@ -55,9 +55,9 @@ namespace vfife
    * Start of a gear pair (doc/theory/equilibrium.md, The preloaded start): equilibrium in the
    * turning frames, spun, then under a part of the torque, then under all of it, each telling a
    * part of the transmission error. A run with `static equilibrium` begins in the loaded one, with
-   * the deformation standing still in space; one with `steady swing` there as well, but where the
-   * steady vibration of the swing has it, unless the pair is on shafts; one with `ramp` where the
-   * flanks of the spun shapes just touch.
+   * the deformation standing still in space; one with `steady torsional vibration` there as well,
+   * but where the steady vibration of the swing has it, unless the pair is on shafts; one with
+   * `ramp` where the flanks of the spun shapes just touch.
    */
   class PreloadedPair : public RunStart
   {
@@ -78,7 +78,7 @@ namespace vfife
   private:
     using Relax = std::function<void(const char *name, const Relaxation::Loads &loads)>;
 
-    /** That of `steady swing`, or none; @p torque: the load [N mm]. */
+    /** That of `steady torsional vibration`, or none; @p torque: the load [N mm]. */
     SwingMotion find_swing(const PairStart *factors, double torque) const;
     /** From the loaded state to where the run begins; @p pattern: of that. */
     void begin(const SwingMotion &swing,

@@ -58,7 +58,8 @@ namespace vfife
      * NumericalError as Relaxation and PairEquilibrium. */
     std::string solve(State &state, const Relaxation::Loads &loads);
 
-    /** find_static_errors(); empty unless the start is `steady swing`, and for pairs on shafts. */
+    /** find_static_errors(); empty unless the start is `steady torsional vibration`, and for pairs
+     * on shafts. */
     const std::vector<double> &static_errors() const
     {
       return static_errors_;

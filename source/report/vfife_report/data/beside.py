@@ -47,7 +47,7 @@ def read_modes(folder):
     """Those that stand in space where there are any: the load does."""
     table = Table(folder / "coupled_modes.csv")
     rows = table["share of the static rotation"] > LEAST_SHARE
-    if np.any(table["axes"] == "standing"):
-        rows &= table["axes"] == "standing"
+    if np.any(table["axes"] == "fixed"):
+        rows &= table["axes"] == "fixed"
     return Modes(read_parameters(folder).get("Operation/speed", ""), table["frequency"][rows],
                  table["share of the static rotation"][rows])

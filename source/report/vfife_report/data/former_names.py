@@ -16,6 +16,12 @@ FORMER_NAMES = {
     },
     "coupled_modes.csv": {
         "share of the static turn": "share of the static rotation",
+        "turning": "rotating",
+        "standing": "fixed",
+    },
+    "waves_in_contact.csv": {
+        "share of the turn": "share of the rotation",
+        "amplitude of the turn": "amplitude of the rotation",
     },
     "resonance.csv": {
         "time apart": "time without contact",
@@ -69,6 +75,7 @@ FORMER_NAMES = {
         "largest of a turn": "largest per revolution",
         "median of a turn": "median per revolution",
         "after the mesh": "position after the mean contact",
+        "passes the mesh": "time at the mean contact",
         "taken by the driven speed damping": "removed by the driven speed damping",
         "taken by the driven speed damping from the swing": "removed by the driven speed damping from the torsional mode",
         "spin drift": "drift of rotation speed",

@@ -69,7 +69,7 @@ def list_torsional_resonance(run):
     met = read_table(run.path / "waves_in_contact.csv")
     if met is None:
         return
-    rows = np.flatnonzero(met["share of the turn"] > met["share of the wave"])
+    rows = np.flatnonzero(met["share of the rotation"] > met["share of the wave"])
     if len(rows):
         top = rows[np.argmax(met["amplitude of the moment"][rows])]
         yield f"resonance speed, torsional mode, mesh order {met['mesh order'][top]:.0f}", abs(float(met["speed"][top])), "rpm", LINEAR_ONLY

@@ -244,7 +244,7 @@ def tell_meetings(run):
         return
     moment = table["amplitude of the moment"]
     strongest = sorted(np.argsort(-moment, kind="stable")[:SHOWN_RESONANCES])
-    swing = table["share of the turn"] > table["share of the wave"]
+    swing = table["share of the rotation"] > table["share of the wave"]
     text = ("Resonances of the pair in contact by linear theory. The vibration is the wave of the free gear with the most energy, or the "
             "torsional mode if the rotation of the gear has more.")
     if len(strongest) < table.n_rows:
@@ -253,7 +253,7 @@ def tell_meetings(run):
                  "share of the wave [%]", "share of the rotation [%]", "amplitude of the moment [N m]"],
                 [[float(table["speed"][k]), float(table["mesh order"][k]), "torsional mode" if swing[k] else name_vibration(table, k),
                   float(table["nodal diameter"][k]), float(table["order"][k]), 100 * float(table["width"][k]),
-                  100 * float(table["share of the wave"][k]), 100 * float(table["share of the turn"][k]), float(moment[k])]
+                  100 * float(table["share of the wave"][k]), 100 * float(table["share of the rotation"][k]), float(moment[k])]
                  for k in strongest], text, digits=EXACT, short=frozenset((
                      "width [% of the speed]", "share of the wave [%]", "share of the rotation [%]", "amplitude of the moment [N m]")))
 

@@ -63,7 +63,7 @@ def describe_part(run):
 
 
 def is_preloaded(run):
-    return run.parameters.get("Dynamics/start", "static equilibrium") in ("static equilibrium", "steady swing")
+    return run.parameters.get("Dynamics/start", "static equilibrium") in ("static equilibrium", "steady torsional vibration")
 
 
 def tell_transmission_error(run, plots):

@@ -181,7 +181,7 @@ def describe_start(parameters):
     start = parameters.get("Dynamics/start", "")
     if start == "static equilibrium":
         return "equilibrium under centrifugal force and full torque"
-    if start == "steady swing":
+    if start == "steady torsional vibration":
         return "the periodic vibration at the mesh frequency"
     if start == "ramp":
         return f"flanks in contact; the torque increases over {parameters['Operation/ramp']} mesh cycles"

@@ -71,7 +71,7 @@ def draw_waves_met(run):
 def draw_meetings(axes, met):
     """Resonances in contact, those of the torsional mode with another mark."""
     height = 1e-3 * met["mesh order"] * met["mesh frequency"]
-    swing = met["share of the turn"] > met["share of the wave"]
+    swing = met["share of the rotation"] > met["share of the wave"]
     for rows, mark, size, name in ((~swing, ".", 12, "resonance in contact"), (swing, "*", 90, "torsional mode in contact")):
         if np.any(rows):
             axes.scatter(met["speed"][rows], height[rows], s=size, marker=mark, color=COLOURS[0], label=name, zorder=3)
