@@ -6,6 +6,7 @@
 #include "../ranks.h"
 #include "../refusal.h"
 #include "../tests.h"
+#include "fillet_readings.h"
 #include "pinion_fillets.h"
 
 #include <vfife/fem/statics/compliance.h>
@@ -115,13 +116,8 @@ namespace
   {
     const FemSpace sector =
       FemSpace::sector_of(fine, 0, {FemElement::quadratic, FemGeometry::curved});
-    std::vector<PointReading> readings;
-    for (const MemberFillet &member : list_hub_fillets(fine.bodies[0]))
-      for (unsigned int column = 0; column < member.fillet.n_columns(); ++column)
-        for (unsigned int row = Fillet::first_row; row < member.fillet.end_row(); ++row)
-          for (PointReading &reading : read_facet(sector, member.fillet.facet(column, row, 0)))
-            readings.push_back(std::move(reading));
-    const Body           &body = followed.bodies[0];
+    const auto            readings = read_fillets(sector, list_hub_fillets(fine.bodies[0]));
+    const Body           &body     = followed.bodies[0];
     const SectorSubmodel  submodel(SubmodelPart::web, sector, body, readings);
     const Eigen::VectorXd values = submodel.load(0, {}, body.rate) +
                                    submodel.follow(0, [&u](const unsigned int node) -> Vector3 {

@@ -6,6 +6,7 @@
 #include "../mesh/paper_members.h"
 #include "../ranks.h"
 #include "../tests.h"
+#include "fillet_readings.h"
 #include "pinion_fillets.h"
 
 #include <vfife/fem/statics/compliance.h>
@@ -26,19 +27,6 @@ namespace
     std::vector<double> forces(3 * std::size_t(space.n_points()), 0.);
     add_load_forces(press_flank(body), space, space.parts()[0], 1., forces);
     return compliance.solve(forces);
-  }
-
-  /** Strains of all facets of both fillets of tooth 0. */
-  std::vector<PointReading> read_fillets(const FemSpace                 &sector,
-                                         const std::deque<MemberFillet> &fillets)
-  {
-    std::vector<PointReading> readings;
-    for (const MemberFillet &member : fillets)
-      for (unsigned int column = 0; column < member.fillet.n_columns(); ++column)
-        for (unsigned int row = Fillet::first_row; row < member.fillet.end_row(); ++row)
-          for (PointReading &reading : read_facet(sector, member.fillet.facet(column, row, 0)))
-            readings.push_back(std::move(reading));
-    return readings;
   }
 
   /** Tractions that are left on all facets of both fillets. */

@@ -370,7 +370,7 @@ namespace vfife
                          d.tangential});
         }
     };
-    add(axes_of_modes::turning, modes.turning);
-    add(axes_of_modes::standing, modes.standing);
+    add(axes_of_modes::rotating, modes.turning);
+    add(axes_of_modes::fixed, modes.standing);
   }
 } // namespace vfife

@@ -23,12 +23,6 @@ namespace vfife
     /** @p sector must outlive the strip. */
     SectorStrip(const FemSpace &sector, SubmodelPart part);
 
-    /** Sectors on either side. */
-    int beside() const
-    {
-      return beside_;
-    }
-
     /** [mm]. */
     const std::vector<Vector3> &points() const
     {
@@ -90,7 +84,7 @@ namespace vfife
     }
 
     const FemSpace                      &sector_;
-    int                                  beside_;
+    int                                  beside_;    ///< sectors on either side
     const Body                          &body_;      ///< of the sector
     std::map<unsigned int, unsigned int> originals_; ///< of images
     std::vector<Vector3>                 points_;

@@ -76,15 +76,17 @@ namespace vfife
       {
         find_flanks(sector);
         find_node_shares();
-      }
-    for (int turned = -1; turned <= 1; ++turned)
-      {
-        Eigen::MatrixXd &of_forces = of_forces_[1 + turned];
-        of_forces.setZero(readings.size(), 3 * flank_points_.size());
-        for (std::size_t i = 0; i < flank_points_.size(); ++i)
-          if (const unsigned int p = strip.number(turned, flank_points_[i]); p != SectorStrip::none)
-            of_forces.middleCols<3>(3 * i) =
-              influence.of_forces.middleCols<3>(3 * p) * followed.structure().turn(turned);
+        for (int turned = -1; turned <= 1; ++turned)
+          {
+            Eigen::MatrixXd of_forces =
+              Eigen::MatrixXd::Zero(readings.size(), 3 * flank_points_.size());
+            for (std::size_t i = 0; i < flank_points_.size(); ++i)
+              if (const unsigned int p = strip.number(turned, flank_points_[i]);
+                  p != SectorStrip::none)
+                of_forces.middleCols<3>(3 * i) =
+                  influence.of_forces.middleCols<3>(3 * p) * followed.structure().turn(turned);
+            of_forces_.push_back(std::move(of_forces));
+          }
       }
 
     // The cut follows the nodes.

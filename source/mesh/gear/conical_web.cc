@@ -16,9 +16,10 @@ namespace vfife
     }
   } // namespace
 
-  bool MeridianArc::contains(const Vector2 &r_z) const
+  bool MeridianArc::contains(const Vector3 &x) const
   {
     constexpr double tolerance = 1e-6; ///< over the radius
+    const Vector2    r_z(std::hypot(x[0], x[1]), x[2]);
     return radius > 0. && std::abs((r_z - centre).norm() - radius) < tolerance * radius;
   }
 
@@ -30,11 +31,15 @@ namespace vfife
     return radius / std::tan(angle / 2.);
   }
 
+  double ConicalWeb::Fillet::half_angle() const
+  {
+    return std::acos((along_wall + along_web).normalized().dot(along_wall));
+  }
+
   MeridianArc ConicalWeb::Fillet::arc() const
   {
-    const Vector2 bisector = (along_wall + along_web).normalized();
-    const double  half     = std::acos(bisector.dot(along_wall));
-    return {corner + radius / std::sin(half) * bisector, radius};
+    return {corner + radius / std::sin(half_angle()) * (along_wall + along_web).normalized(),
+            radius};
   }
 
   Vector2 ConicalWeb::Fillet::point(const double part) const
@@ -44,7 +49,7 @@ namespace vfife
     const Vector2 on_wall = corner + tangent() * along_wall,
                   on_web = corner + tangent() * along_web, centre = arc().centre;
     // between the radii to both ends, which are pi - 2 half apart
-    const double whole = pi - 2. * std::acos((along_wall + along_web).normalized().dot(along_wall));
+    const double whole = pi - 2. * half_angle();
     return centre + (std::sin((1. - part) * whole) * (on_wall - centre) +
                      std::sin(part * whole) * (on_web - centre)) /
                       std::sin(whole);

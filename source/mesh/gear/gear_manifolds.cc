@@ -25,13 +25,17 @@ namespace vfife
       first_web_fillet
     };
 
+    Vector3 vector_of(const dealii::Point<3> &x)
+    {
+      return {x[0], x[1], x[2]};
+    }
+
     /** The mean in cylinder coordinates about z, moved onto the torus of an arc in the meridian. */
-    class TorusManifold : public dealii::CylindricalManifold<3>
+    class TorusManifold : public dealii::Manifold<3>
     {
     public:
       explicit TorusManifold(const MeridianArc &arc)
-        : dealii::CylindricalManifold<3>(2)
-        , arc_(arc)
+        : arc_(arc)
       {
       }
 
@@ -43,16 +47,16 @@ namespace vfife
       dealii::Point<3> get_new_point(const Points  &surrounding_points,
                                      const Weights &weights) const override
       {
-        const auto mean =
-          dealii::CylindricalManifold<3>::get_new_point(surrounding_points, weights);
-        const double  r = std::hypot(mean[0], mean[1]);
+        const auto    mean = cylinder_.get_new_point(surrounding_points, weights);
+        const double  r    = std::hypot(mean[0], mean[1]);
         const Vector2 moved =
           arc_.centre + arc_.radius * (Vector2(r, mean[2]) - arc_.centre).normalized();
         return {mean[0] * moved[0] / r, mean[1] * moved[0] / r, moved[1]};
       }
 
     private:
-      MeridianArc arc_;
+      MeridianArc                    arc_;
+      dealii::CylindricalManifold<3> cylinder_{2};
     };
 
     /** Whether all corners of a face are on an arc. */
@@ -60,14 +64,9 @@ namespace vfife
     bool is_on(const MeridianArc &arc, const Face &face)
     {
       for (unsigned int v = 0; v < 4; ++v)
-        if (const auto &x = face->vertex(v); !arc.contains({std::hypot(x[0], x[1]), x[2]}))
+        if (!arc.contains(vector_of(face->vertex(v))))
           return false;
       return true;
-    }
-
-    Vector3 vector_of(const dealii::Point<3> &x)
-    {
-      return {x[0], x[1], x[2]};
     }
 
     /** Rotation from the tooth that has @p here near it on tooth 0 to the tooth of @p there. */

@@ -76,13 +76,8 @@ namespace vfife
       GearShaftBuilder(options_.shaft, cells_, bore_).add();
     add_flank_grid(FlankSide::concave);
     add_flank_grid(FlankSide::convex);
-    GearSector sector = cells_.finish();
-    for (const auto &[name, arc] : {std::make_pair(node_set::rim_fillet_front, web_.rim_fillet(0)),
-                                    std::make_pair(node_set::rim_fillet_back, web_.rim_fillet(1)),
-                                    std::make_pair(node_set::hub_fillet_front, web_.hub_fillet(0)),
-                                    std::make_pair(node_set::hub_fillet_back, web_.hub_fillet(1))})
-      if (sector.node_sets.count(name) != 0)
-        sector.web_fillets[name] = arc;
+    GearSector sector  = cells_.finish();
+    sector.web_fillets = web_fillets_;
     return sector;
   }
 

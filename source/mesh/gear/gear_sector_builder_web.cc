@@ -114,25 +114,20 @@ namespace vfife
 
   void GearSectorBuilder::add_web_faces(const NodeLayer &nodes)
   {
-    const auto add = [this](const char                      *face,
-                            const char                      *rim_fillet,
-                            const char                      *hub_fillet,
-                            const unsigned int               side,
-                            const std::vector<unsigned int> &line) {
-      cells_.add_to_set(face, NodeLayer{line});
-      for (const auto &[name, arc] : {std::make_pair(rim_fillet, web_.rim_fillet(side)),
-                                      std::make_pair(hub_fillet, web_.hub_fillet(side))})
-        if (const Vector3 x = cells_.position(line.front());
-            arc.contains({std::hypot(x[0], x[1]), x[2]}))
-          cells_.add_to_set(name, NodeLayer{line});
-    };
     // First and last layer are the web's faces.
-    add(node_set::web_front,
-        node_set::rim_fillet_front,
-        node_set::hub_fillet_front,
-        0,
-        nodes.front());
-    add(node_set::web_back, node_set::rim_fillet_back, node_set::hub_fillet_back, 1, nodes.back());
+    cells_.add_to_set(node_set::web_front, NodeLayer{nodes.front()});
+    cells_.add_to_set(node_set::web_back, NodeLayer{nodes.back()});
+    const auto add_fillet =
+      [this](const char *name, const MeridianArc &arc, const std::vector<unsigned int> &line) {
+        if (!arc.contains(cells_.position(line.front())))
+          return;
+        cells_.add_to_set(name, NodeLayer{line});
+        web_fillets_[name] = arc;
+      };
+    add_fillet(node_set::rim_fillet_front, web_.rim_fillet(0), nodes.front());
+    add_fillet(node_set::hub_fillet_front, web_.hub_fillet(0), nodes.front());
+    add_fillet(node_set::rim_fillet_back, web_.rim_fillet(1), nodes.back());
+    add_fillet(node_set::hub_fillet_back, web_.hub_fillet(1), nodes.back());
   }
 
   void GearSectorBuilder::add_web()

@@ -158,8 +158,7 @@ namespace vfife
       for (const auto &[name, arc] : coarse.web_fillets)
         for (const auto &cell : mesh.triangulation.active_cell_iterators())
           for (const unsigned int v : cell->vertex_indices())
-            if (const Vector3 x = vertex(mesh, cell->vertex_index(v));
-                arc.contains({std::hypot(x[0], x[1]), x[2]}))
+            if (arc.contains(vertex(mesh, cell->vertex_index(v))))
               add(name, cell->vertex_index(v));
       for (auto &set : sector.node_sets)
         {

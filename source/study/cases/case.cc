@@ -6,32 +6,23 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
 
 namespace vfife
 {
   namespace
   {
-    template <typename... Parts>
-    std::string joined(const Parts &...parts)
-    {
-      std::ostringstream message;
-      set_figure_digits(message, 4);
-      (message << ... << parts);
-      return message.str();
-    }
-
     std::string vector_text(const Vector3 &vector, const char *unit)
     {
-      return joined(vector[0], ", ", vector[1], ", ", vector[2], " ", unit);
+      return sentence_of(4, vector[0], ", ", vector[1], ", ", vector[2], " ", unit);
     }
 
     std::string
     nodes_of(const Model &model, const unsigned int body, const std::vector<unsigned int> &nodes)
     {
-      return joined(nodes.size(),
-                    nodes.size() == 1 ? " node of " : " nodes of ",
-                    model.bodies[body].name());
+      return sentence_of(4,
+                         nodes.size(),
+                         nodes.size() == 1 ? " node of " : " nodes of ",
+                         model.bodies[body].name());
     }
 
     std::string over_time(const ParameterHistory &history)
@@ -50,11 +41,12 @@ namespace vfife
         if (constraint.prescribed[c])
           {
             const bool is_angle = constraint.cylindrical && c == 1;
-            all += joined(all.empty() ? "" : ", ",
-                          names[c],
-                          " ",
-                          constraint.displacement[c] / (is_angle ? degree : 1.),
-                          is_angle ? " deg" : " mm");
+            all += sentence_of(4,
+                               all.empty() ? "" : ", ",
+                               names[c],
+                               " ",
+                               constraint.displacement[c] / (is_angle ? degree : 1.),
+                               is_angle ? " deg" : " mm");
           }
       return all;
     }
@@ -66,8 +58,9 @@ namespace vfife
         case ConstraintKind::held:
           return "fixed";
         case ConstraintKind::prescribed_rotation:
-          return constraint.angle ? joined("rotated by ", *constraint.angle / degree, " deg")
-                                  : "rotated at the body's speed";
+          return constraint.angle
+                   ? sentence_of(4, "rotated by ", *constraint.angle / degree, " deg")
+                   : "rotated at the body's speed";
         case ConstraintKind::free_rotation:
           return "fixed along r and z; nodes rotate independently";
         case ConstraintKind::rigid_hub:
@@ -87,7 +80,7 @@ namespace vfife
         case LoadKind::moment:
           return "moment " + vector_text(load.vector, "N mm");
         case LoadKind::pressure:
-          return joined("pressure ", load.pressure, " MPa");
+          return sentence_of(4, "pressure ", load.pressure, " MPa");
         case LoadKind::acceleration:
           return "acceleration " + vector_text(load.vector, "mm/s^2");
         case LoadKind::spring:
@@ -101,8 +94,10 @@ namespace vfife
     {
       const Vector5     d     = matrix.diagonal();
       const bool        mixed = !matrix.isApprox(Matrix5(d.asDiagonal()));
-      const std::string along = joined("x ", d[0], ", y ", d[1], ", z ", d[2], " ", units[0]);
-      return along + joined(", tilts ", d[3], ", ", d[4], " ", units[1], mixed ? ", coupled" : "");
+      const std::string along =
+        sentence_of(4, "x ", d[0], ", y ", d[1], ", z ", d[2], " ", units[0]);
+      return along +
+             sentence_of(4, ", tilts ", d[3], ", ", d[4], " ", units[1], mixed ? ", coupled" : "");
     }
 
     void log_bearings(const Model &model, Log &log)

@@ -14,22 +14,11 @@
 #include <vfife/study/cases/torque_pressure.h>
 
 #include <cmath>
-#include <sstream>
 
 namespace vfife
 {
   namespace
   {
-    /** A sentence of texts and numbers, these with four digits. */
-    template <typename... Parts>
-    std::string text(const Parts &...parts)
-    {
-      std::ostringstream message;
-      set_figure_digits(message, 4);
-      (message << ... << parts);
-      return message.str();
-    }
-
     /** A sentence, or nothing where all is well or the study has not what is looked at. */
     using Check = std::string (*)(const GearCase &gear_case, const RunPlan &plan);
 
@@ -41,11 +30,12 @@ namespace vfife
                    limit   = GearCase::recommended_damping * gear_case.ring_rate();
       if (!(largest > limit))
         return "";
-      return text("damping of ",
-                  largest,
-                  " 1/s exceeds ",
-                  limit,
-                  " 1/s: it distorts the static deflection pattern and the compliance");
+      return sentence_of(4,
+                         "damping of ",
+                         largest,
+                         " 1/s exceeds ",
+                         limit,
+                         " 1/s: it distorts the static deflection pattern and the compliance");
     }
 
     std::string check_damping_rate(const GearCase &, const RunPlan &plan)
@@ -66,11 +56,12 @@ namespace vfife
         return "start = ramp with ramp = 0 is a step of the torque: the contact force overshoots "
                "and the flanks may separate";
       if (operation.ramp >= gear_case.run_meshes())
-        return text("the ramp of ",
-                    operation.ramp,
-                    " mesh cycles does not end within the run of ",
-                    gear_case.run_meshes(),
-                    ": no steady part is possible");
+        return sentence_of(4,
+                           "the ramp of ",
+                           operation.ramp,
+                           " mesh cycles does not end within the run of ",
+                           gear_case.run_meshes(),
+                           ": no steady part is possible");
       return "";
     }
 
@@ -100,12 +91,14 @@ namespace vfife
       if (seen.has_single_points())
         return seen.describe_points("the Hertzian contact");
       if (seen.facet > width)
-        return text("flank elements of ",
-                    seen.facet,
-                    " mm are wider than the Hertzian contact of ",
-                    width,
-                    " mm: forces and Hertzian pressures are usable, nodal pressures and stresses "
-                    "under the contact are not");
+        return sentence_of(
+          4,
+          "flank elements of ",
+          seen.facet,
+          " mm are wider than the Hertzian contact of ",
+          width,
+          " mm: forces and Hertzian pressures are usable, nodal pressures and stresses "
+          "under the contact are not");
       return "";
     }
 
@@ -138,9 +131,10 @@ namespace vfife
       const double     strain = gear_case.ring_strain();
       if (strain <= limit)
         return "";
-      return text("a free ring at the pitch circle would be stretched by ",
-                  1e2 * strain,
-                  " % at this speed, more than any gear body withstands");
+      return sentence_of(4,
+                         "a free ring at the pitch circle would be stretched by ",
+                         1e2 * strain,
+                         " % at this speed, more than any gear body withstands");
     }
 
     std::string check_hub(const GearCase &gear_case, const RunPlan &)
@@ -157,15 +151,17 @@ namespace vfife
       // Whole steps from sample to sample cost little, unless samples are a few steps apart: then
       // the user can have the time back.
       if (plan.step < 0.7 * plan.stable_step)
-        return text("samples per mesh cycle = ",
-                    plan.output->history_every,
-                    " reduces the step to ",
-                    plan.step / plan.stable_step,
-                    " of the stable step");
+        return sentence_of(4,
+                           "samples per mesh cycle = ",
+                           plan.output->history_every,
+                           " reduces the step to ",
+                           plan.step / plan.stable_step,
+                           " of the stable step");
       if (plan.stable_step < 0.6 * plan.element_step)
-        return text("the contact penalty reduces the step to ",
-                    plan.stable_step / plan.element_step,
-                    " of the stable step of the elements");
+        return sentence_of(4,
+                           "the contact penalty reduces the step to ",
+                           plan.stable_step / plan.element_step,
+                           " of the stable step of the elements");
       return "";
     }
 
@@ -175,11 +171,12 @@ namespace vfife
       const double every = plan.step > 0 ? plan.output->fields_every : 0.;
       if (every <= gear_case.run_meshes())
         return "";
-      return text("field output interval = ",
-                  every,
-                  " is more than the run's ",
-                  gear_case.run_meshes(),
-                  " mesh cycles: fields are written at the start and the end only");
+      return sentence_of(4,
+                         "field output interval = ",
+                         every,
+                         " is more than the run's ",
+                         gear_case.run_meshes(),
+                         " mesh cycles: fields are written at the start and the end only");
     }
 
     std::string check_checkpoint(const GearCase &, const RunPlan &plan)
@@ -195,9 +192,10 @@ namespace vfife
       // A tooth pair's share of a mesh and its harmonics need some points.
       if (plan.output == nullptr || plan.output->history_every >= 10)
         return "";
-      return text("samples per mesh cycle = ",
-                  plan.output->history_every,
-                  " cannot resolve the ripple: use at least 10");
+      return sentence_of(4,
+                         "samples per mesh cycle = ",
+                         plan.output->history_every,
+                         " cannot resolve the ripple: use at least 10");
     }
 
     std::string check_length(const GearCase &gear_case, const RunPlan &plan)
@@ -205,10 +203,12 @@ namespace vfife
       constexpr double month = 30. * 24 * 3600;
       if (!(plan.expected_time > month))
         return "";
-      return text("a mesh cycle has ",
-                  std::round(1. / (gear_case.mesh_frequency() * plan.step)),
-                  " steps at this speed: use the loaded tooth contact analysis or a reduced pair "
-                  "for slow motion");
+      return sentence_of(
+        4,
+        "a mesh cycle has ",
+        std::round(1. / (gear_case.mesh_frequency() * plan.step)),
+        " steps at this speed: use the loaded tooth contact analysis or a reduced pair "
+        "for slow motion");
     }
 
     const std::vector<Check> checks = {&check_flank,

@@ -42,9 +42,11 @@ namespace vfife
       FemSpace::sector_of(fine_, body, {FemElement::quadratic, FemGeometry::curved});
     Member member;
     add_submodel(SubmodelPart::teeth, sector, followed, gauges, member);
-    for (const std::string &side : Fillet::list_sides(fine_.bodies[body]))
-      if (Fillet::is_at_hub(side) && member.submodels.size() == 1)
-        add_submodel(SubmodelPart::web, sector, followed, false, member);
+    const auto sides = Fillet::list_sides(fine_.bodies[body]);
+    if (std::any_of(sides.begin(), sides.end(), [](const std::string &side) {
+          return Fillet::is_at_hub(side);
+        }))
+      add_submodel(SubmodelPart::web, sector, followed, false, member);
     return member;
   }
 

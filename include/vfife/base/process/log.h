@@ -5,7 +5,6 @@
 #include <vfife/base/text/figure_text.h>
 
 #include <iosfwd>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -59,7 +58,7 @@ namespace vfife
     template <typename... Parts>
     void line(const Parts &...parts)
     {
-      write_line(text_of(parts...), Verbosity::normal);
+      write_line(sentence_of(n_digits, parts...), Verbosity::normal);
     }
 
     /** Says a line that matters to developers only. */
@@ -67,14 +66,14 @@ namespace vfife
     void detail(const Parts &...parts)
     {
       if (verbosity_ == Verbosity::detailed)
-        write_line(text_of(parts...), Verbosity::detailed);
+        write_line(sentence_of(n_digits, parts...), Verbosity::detailed);
     }
 
     /** Warns: counted and kept for the summary; the same text is written once only. */
     template <typename... Parts>
     void warning(const Parts &...parts)
     {
-      add_warning(text_of(parts...));
+      add_warning(sentence_of(n_digits, parts...));
     }
 
     const std::vector<Warning> &warnings() const
@@ -86,15 +85,6 @@ namespace vfife
     void take_warnings(std::vector<Warning> earlier);
 
   private:
-    template <typename... Parts>
-    static std::string text_of(const Parts &...parts)
-    {
-      std::ostringstream text;
-      set_figure_digits(text, n_digits);
-      (text << ... << parts);
-      return text.str();
-    }
-
     void write_line(const std::string &text, Verbosity level);
     void add_warning(const std::string &text);
 

@@ -102,8 +102,8 @@ namespace vfife
   /** What the column `axes` of coupled modes says. */
   namespace axes_of_modes
   {
-    constexpr char turning[]  = "rotating";
-    constexpr char standing[] = "fixed"; ///< as those of the load
+    constexpr char rotating[] = "rotating";
+    constexpr char fixed[]    = "fixed"; ///< as those of the load
   }                                      // namespace axes_of_modes
 } // namespace vfife
 

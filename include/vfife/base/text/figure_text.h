@@ -2,7 +2,7 @@
 #ifndef vfife_base_text_figure_text_h
 #define vfife_base_text_figure_text_h
 
-#include <iosfwd>
+#include <sstream>
 #include <string>
 
 namespace vfife
@@ -16,6 +16,16 @@ namespace vfife
   /** From now on numbers written to @p text have so many significant digits, and exponents where
    * figure_text() has them. */
   void set_figure_digits(std::ostream &text, int digits);
+
+  /** Texts and numbers as a sentence, these with so many significant @p digits. */
+  template <typename... Parts>
+  std::string sentence_of(const int digits, const Parts &...parts)
+  {
+    std::ostringstream text;
+    set_figure_digits(text, digits);
+    (text << ... << parts);
+    return text.str();
+  }
 } // namespace vfife
 
 #endif

@@ -59,7 +59,8 @@ namespace vfife
 
     /** What displacements of the followed body make of the readings of a tooth. */
     Eigen::VectorXd follow(unsigned int tooth, const NodeDisplacement &u) const;
-    /** What forces, and a spin at @p rate [rad/s], make of them. */
+    /** What forces, and a spin at @p rate [rad/s], make of them. A part without flanks does not see
+     * forces on flanks. */
     Eigen::VectorXd load(unsigned int tooth, const ToothForces &forces, double rate) const;
 
     /** Nodes of the followed body by which the readings of tooth 0 move, and by how much: a column
@@ -101,8 +102,9 @@ namespace vfife
     std::map<unsigned int, PointWeights> node_shares_;
     std::vector<unsigned int>            nodes_;
     Eigen::MatrixXd                      of_displacements_;
-    std::array<Eigen::MatrixXd, 3>       of_forces_; ///< on the teeth before, here and after
-    Eigen::VectorXd                      of_spin_;   ///< at 1 rad/s
+    /** On the teeth before, here and after; none of a part without flanks. */
+    std::vector<Eigen::MatrixXd> of_forces_;
+    Eigen::VectorXd              of_spin_; ///< at 1 rad/s
   };
 } // namespace vfife
 

@@ -29,8 +29,9 @@ namespace vfife
     Vector2 centre = Vector2::Zero(); ///< [mm]
     double  radius = 0;               ///< [mm]
 
-    /** Whether a point (r, z) is on the circle, up to round-off. */
-    bool contains(const Vector2 &r_z) const;
+    /** Whether a point of a body with the axis z is on the circle in its meridian, up to round-off.
+     */
+    bool contains(const Vector3 &x) const;
   };
 
   /** A conical web between rim and hub: sizes in the meridian plane. */
@@ -112,7 +113,9 @@ namespace vfife
       double  radius = 0;
 
       /** Distance of the arc's ends from the corner [mm]. */
-      double      tangent() const;
+      double tangent() const;
+      /** Half the angle between wall and web [rad]. */
+      double      half_angle() const;
       MeridianArc arc() const;
       /** Point of the arc: 0 on the wall, 1 on the web. */
       Vector2 point(double part) const;

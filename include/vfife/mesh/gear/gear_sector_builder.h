@@ -95,6 +95,7 @@ namespace vfife
     std::vector<GearSection> inner_; ///< under the surface layer; without one the sections
     std::vector<double>      across_, rim_parts_; ///< places of columns, of rim rows where graded
     ConicalWeb               web_;                ///< used where the body has one
+    WebFillets               web_fillets_;        ///< found with the web's faces
     std::vector<NodeLayer>   tooth_, rim_;
 
     std::vector<SurfaceNodes> surface_; ///< of each section

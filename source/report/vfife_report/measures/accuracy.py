@@ -8,6 +8,7 @@ MEAN_ERROR = {1: "1 to 5 % too small on meshes of the reference pair", 2: "about
               3: "within 0.2 % on meshes of the reference pair"}
 FREQUENCY_ERROR = {1: "1 to 3 % too high on the coarse gear of the reference pair", 2: "0.3 to 0.9 % too high on the coarse gear of the "
                    "reference pair", 3: "within 0.01 % on the coarse gear of the reference pair"}
+LARGEST_FREQUENCY_ERROR = 3.  # by 8-node elements [%]
 RIPPLE_ERROR = {1: "2 to 40 % too large on meshes of the reference pair", 2: "up to 23 % too large on meshes of the reference pair",
                 3: "within 2 % on meshes of the reference pair"}
 SUBMODEL_ERROR = {1: "up to 7 % too large on the coarse, below 2 % on the medium mesh of the reference pair",

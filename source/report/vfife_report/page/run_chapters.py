@@ -4,7 +4,7 @@ import numpy as np
 
 from ..data.columns import JUDGED
 from ..data.needs import has_pair, has_probes, has_rim_over_meshes
-from ..measures.accuracy import FREQUENCY_ERROR
+from ..measures.accuracy import FREQUENCY_ERROR, LARGEST_FREQUENCY_ERROR
 from ..measures.checks import list_checks
 from ..measures.passages import DURATION_LEVEL_IN_WORDS, find_passages
 from ..measures.periodicity import measure_column
@@ -18,7 +18,6 @@ from .parts import EXACT, Cells, Paragraph, list_values
 from .result_chapters import TRUST
 from .words import FINDINGS, RECORD_ONLY, list_case_rows, list_geometry_rows, list_model_rows
 
-LARGEST_FREQUENCY_ERROR = 3.  # of waves by 8-node elements [%], FREQUENCY_ERROR
 SOLVED = 1e-5  # of the largest: what equations of an equilibrium are solved to
 
 

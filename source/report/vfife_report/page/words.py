@@ -84,7 +84,7 @@ def list_case_rows(run):
     yield from list_sweep_rows(parameters)
     yield from list_error_rows(run)
     mesh = parameters.get("Gear pair/mesh")
-    if mesh and mesh != "none":
+    if mesh and mesh != "by members":
         yield "mesh", mesh
     web = describe_web(parameters)
     if web.startswith("web"):

@@ -41,8 +41,9 @@ def extremes(table, rows):
 
 
 def plot_members(table, label):
-    """A plot with axes for each member, their x axis with a label, and (axes, colour, body, fillet) of each fillet."""
-    fillets = list_fillets(table)
+    """A plot with axes for each member, their x axis with a label, and (axes, colour, body, fillet) of each tooth fillet. Fillets
+    at the hub have no engagement."""
+    fillets = [(body, fillet) for body, fillet in list_fillets(table) if not fillet.startswith("hub ")]
     bodies = list(dict.fromkeys(body for body, _ in fillets))
     plot, all_axes = plt.subplots(1, len(bodies), figsize=(10, 4), squeeze=False, sharey=True)
     curves = []

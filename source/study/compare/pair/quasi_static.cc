@@ -13,11 +13,11 @@ namespace vfife
   {
     const std::vector<std::string> &axes = coupled_modes.column(column::axes).texts;
     // A pair that spins is seen from space; one at rest has modes in its own axes alone.
-    const bool standing = std::count(axes.begin(), axes.end(), axes_of_modes::standing) > 0;
+    const bool standing = std::count(axes.begin(), axes.end(), axes_of_modes::fixed) > 0;
     for (std::size_t i = 0; i < coupled_modes.n_rows(); ++i)
       {
         const double share = coupled_modes.numbers(column::share_of_static_rotation)[i];
-        if (share > least && (!standing || axes[i] == axes_of_modes::standing))
+        if (share > least && (!standing || axes[i] == axes_of_modes::fixed))
           {
             frequencies.push_back(coupled_modes.numbers(column::frequency)[i]);
             shares.push_back(share);
