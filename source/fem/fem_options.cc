@@ -166,4 +166,13 @@ namespace vfife
     if (coriolis && eigen_solver == EigenSolverKind::lobpcg)
       throw InputError(section + "/coriolis", "requires the eigenvalue solver \"shift-invert\"");
   }
+
+  FemOptions make_fem_options(const StiffnessKind stiffness)
+  {
+    FemOptions options;
+    options.element =
+      stiffness == StiffnessKind::full ? FemElement::full : FemElement::incompatible_modes;
+    options.mass = MassKind::lumped;
+    return options;
+  }
 } // namespace vfife

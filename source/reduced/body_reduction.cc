@@ -6,6 +6,7 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/types.h>
 #include <vfife/fem/cyclic/cyclic_harmonic.h>
+#include <vfife/fem/statics/node_averages.h>
 #include <vfife/reduced/body_reduction.h>
 
 #include <Eigen/Core>
@@ -65,10 +66,12 @@ namespace vfife
     constexpr unsigned int largest_sample = 32;
 
     /** Throws InputError for nodes that cannot be meant. */
-    void check_nodes(const Body                       &body,
+    void check_nodes(const CyclicBody                 &sector,
                      const std::vector<unsigned int>  &touch_nodes,
                      const std::vector<SectorReading> &readings)
     {
+      const Body          &body      = sector.body();
+      const unsigned int   n_points  = sector.all_sectors().n_points();
       const std::string    name      = "body \"" + body.name() + "\": ";
       const BodyStructure &structure = body.structure();
       for (const unsigned int node : touch_nodes)
@@ -78,10 +81,10 @@ namespace vfife
                            std::to_string(structure.nodes_per_sector() - 1));
       for (const SectorReading &reading : readings)
         for (const auto &weight : reading.weights)
-          if (weight.first >= body.n_nodes())
+          if (weight.first >= n_points)
             throw InputError(name + "reading \"" + reading.name + "\" uses node " +
-                             std::to_string(weight.first) + " of " +
-                             std::to_string(body.n_nodes()) + " nodes");
+                             std::to_string(weight.first) + " of " + std::to_string(n_points) +
+                             " nodes");
     }
 
     /** Touch nodes along the axes of the body frame, then the readings. */
@@ -89,10 +92,16 @@ namespace vfife
                                      const std::vector<unsigned int>  &touch_nodes,
                                      const std::vector<SectorReading> &readings)
     {
+      const NodeAverages     averages(body.all_sectors());
       std::vector<SectorRow> rows;
       for (const unsigned int node : touch_nodes)
         for (unsigned int c = 0; c < 3; ++c)
-          rows.push_back(body.make_row({{node, Vector3::Unit(c)}}));
+          {
+            std::vector<std::pair<unsigned int, Vector3>> weights;
+            for (const auto &[point, weight] : averages.of(node))
+              weights.emplace_back(point, weight * Vector3::Unit(c));
+            rows.push_back(body.make_row(weights));
+          }
       for (const SectorReading &reading : readings)
         rows.push_back(body.make_row(reading.weights));
       return rows;
@@ -328,7 +337,7 @@ namespace vfife
                           const Communicator              &communicator)
   {
     const CyclicBody sector(model, body, fem, rate);
-    check_nodes(sector.body(), touch_nodes, readings);
+    check_nodes(sector, touch_nodes, readings);
     ReducedBody reduced;
     reduced.n_sectors        = sector.n_sectors();
     reduced.nodes_per_sector = sector.body().structure().nodes_per_sector();

@@ -1,5 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/element/stress.h>
+#include <vfife/fem/fem_options.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>
 #include <vfife/model/model.h>
@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <complex>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace vfife
@@ -32,10 +33,6 @@ namespace vfife
 
   namespace
   {
-    /** Difference for the derivatives of stresses [mm]: far above round-off of the positions, far
-     * below what turns an element by more than its own angle. */
-    constexpr double small_way = 1e-4;
-
     /** Mass-weighted share of sector 0 in the mean rotation of nodes of all sectors. */
     SectorReading
     make_turn(const Body &body, const std::string &name, const std::vector<unsigned int> &nodes)
@@ -86,49 +83,48 @@ namespace vfife
           }
     }
 
-    /** Displacements and stresses at a node of sector 0. */
-    void add_probe(const Body                 &body,
+    /** Displacements and stresses at a node of sector 0, of a @p space of the whole body. */
+    void add_probe(const FemSpace             &space,
                    const std::string          &probe,
                    const unsigned int          node,
-                   const StiffnessKind         stiffness,
                    std::vector<SectorReading> &readings)
     {
       for (unsigned int c = 0; c < 3; ++c)
         readings.push_back({reading::of_probe(probe, c), {{node, Vector3::Unit(c)}}, {}});
 
-      // The mean over the elements at the node, by differences: stresses are linear in small
-      // displacements of the elements' nodes.
+      // The mean over the elements at the node. Stresses are linear in displacements.
+      const unsigned int     n         = space.points_per_element();
+      const RigidMotion     &place     = space.model().bodies[space.parts().front().body].placement;
+      const Matrix3          back      = place.rotation.transpose();
+      const Eigen::MatrixXd &to_points = point_extrapolation(space.degree());
       std::map<unsigned int, Eigen::Matrix<double, 6, 3>> derivatives;
       unsigned int                                        n_elements = 0;
-      for (unsigned int e = 0; e < body.n_elements(); ++e)
+      for (unsigned int e = 0; e < space.n_elements(); ++e)
         {
-          const auto &nodes  = body.elements()[e];
-          const auto  corner = std::find(nodes.begin(), nodes.end(), node) - nodes.begin();
-          if (corner == 8)
+          const unsigned int *const points = space.element_points(e);
+          const std::ptrdiff_t      at     = std::find(points, points + n, node) - points;
+          if (at == n)
             continue;
           ++n_elements;
-          const HexahedronNodes free = body.stress_free_nodes(e), X = body.element_nodes(e);
-          for (unsigned int k = 0; k < 8; ++k)
+          const ElementNodes X = back * (space.element_nodes(e).colwise() - place.translation);
+          for (unsigned int k = 0; k < n; ++k)
             {
               auto &derivative =
-                derivatives.emplace(nodes[k], Eigen::Matrix<double, 6, 3>::Zero()).first->second;
+                derivatives.emplace(points[k], Eigen::Matrix<double, 6, 3>::Zero()).first->second;
               for (unsigned int c = 0; c < 3; ++c)
-                for (const double sign : {1., -1.})
-                  {
-                    HexahedronNodes x = X;
-                    x(c, k) += sign * small_way;
-                    derivative.col(c) +=
-                      sign / (2. * small_way) *
-                      compute_nodal_stresses(free, x, body.material(e), stiffness, FrameKind::polar)
-                        .col(corner);
-                  }
+                derivative.col(c) +=
+                  compute_point_stresses(X,
+                                         space.material(e),
+                                         space.element(),
+                                         Eigen::VectorXd::Unit(3 * n, 3 * k + c)) *
+                  to_points.col(at);
             }
         }
       for (unsigned int s = 0; s < 6; ++s)
         {
           SectorReading stress{reading::of_probe(probe, 3 + s), {}, {}};
-          for (const auto &[at, derivative] : derivatives)
-            stress.weights.emplace_back(at, derivative.row(s).transpose() / n_elements);
+          for (const auto &[point, derivative] : derivatives)
+            stress.weights.emplace_back(point, derivative.row(s).transpose() / n_elements);
           readings.push_back(std::move(stress));
         }
     }
@@ -150,10 +146,10 @@ namespace vfife
     return {nodes.begin(), nodes.end()};
   }
 
-  std::vector<SectorReading> list_readings(const Model        &model,
-                                           const unsigned int  b,
-                                           const StiffnessKind stiffness,
-                                           const unsigned int  largest_diameters)
+  std::vector<SectorReading> list_readings(const Model       &model,
+                                           const unsigned int b,
+                                           const FemOptions  &fem,
+                                           const unsigned int largest_diameters)
   {
     const Transmission        &t    = *model.transmission;
     const Body                &body = model.bodies[b];
@@ -166,9 +162,14 @@ namespace vfife
         readings.push_back(make_turn(body, reading::rim_turn, t.driven_rim));
         add_rim_waves(body, t.driven_rim, largest_diameters, readings);
       }
+    std::optional<FemSpace> space;
     for (const Probe &probe : model.probes)
       if (probe.body == b)
-        add_probe(body, probe.name, body.structure().first_copy(probe.node), stiffness, readings);
+        {
+          if (!space)
+            space.emplace(model, std::vector<unsigned int>{b}, fem);
+          add_probe(*space, probe.name, body.structure().first_copy(probe.node), readings);
+        }
     return readings;
   }
 

@@ -11,10 +11,20 @@ namespace vfife
   {
     /** Orders of the mesh frequency that the modes have by themselves. */
     constexpr double kept_orders = 6;
+
+    const Choices<BodyElements> elements_choices = {{"as the run", BodyElements::as_run},
+                                                    {"quadratic", BodyElements::quadratic},
+                                                    {"cubic", BodyElements::cubic}};
   } // namespace
 
   void ReducedOptions::declare(dealii::ParameterHandler &prm)
   {
+    declare_choice(prm,
+                   "element type",
+                   elements,
+                   elements_choices,
+                   "Elements of the bodies: the 8-node elements of explicit runs, or curved "
+                   "quadratic (27 nodes) or cubic (64 nodes) elements on the same mesh");
     declare_quantity(prm,
                      "cutoff frequency",
                      cutoff,
@@ -70,6 +80,18 @@ namespace vfife
   double ReducedOptions::find_cutoff(const double mesh_frequency, const double least) const
   {
     return cutoff > 0 ? cutoff : std::max(least, kept_orders * mesh_frequency);
+  }
+
+  FemOptions ReducedOptions::fem(const StiffnessKind stiffness) const
+  {
+    if (elements == BodyElements::as_run)
+      return make_fem_options(stiffness);
+    FemOptions options;
+    options.element =
+      elements == BodyElements::quadratic ? FemElement::quadratic : FemElement::cubic;
+    options.geometry       = FemGeometry::curved;
+    options.divides_facets = false;
+    return options;
   }
 
   unsigned int ReducedOptions::find_steps(const double       mesh_frequency,

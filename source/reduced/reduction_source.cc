@@ -119,7 +119,7 @@ namespace vfife
         [&](ByteStream &stream) { pass_seats(model, b, stream); });
     add("kind of elements", [&](ByteStream &stream) {
       FemOptions options = fem;
-      stream.pass(options.element, options.mass, options.strain);
+      stream.pass(options.element, options.geometry, options.mass, options.strain);
     });
     add("list of contact nodes", [&](ByteStream &stream) {
       std::vector<unsigned int> nodes = touch_nodes;

@@ -29,10 +29,7 @@ namespace vfife
                                                 const Communicator    &communicator)
     {
       require_reducible(model);
-      FemOptions fem;
-      fem.mass    = MassKind::lumped; // as the mass points of the run
-      fem.element = dynamics.stiffness == StiffnessKind::full ? FemElement::full
-                                                              : FemElement::incompatible_modes;
+      const FemOptions     fem = make_fem_options(dynamics.stiffness);
       const ReducedOptions options;
       const Transmission  &t         = *model.transmission;
       const double         frequency = t.driver_rate * t.driver_teeth / (2. * pi);
@@ -45,7 +42,7 @@ namespace vfife
         bodies.push_back(reduce_body(model,
                                      b,
                                      list_touch_nodes(model, b),
-                                     list_readings(model, b, dynamics.stiffness, 0),
+                                     list_readings(model, b, fem, 0),
                                      fem,
                                      {cutoff, options.reach},
                                      model.bodies[b].rate,

@@ -19,19 +19,19 @@ namespace pair_of_bodies
 
   constexpr char given_penalty[] = "subsection Contact\n set penalty = 3e5\nend\n";
 
-  inline std::vector<ReducedBody> reduce(const Model        &model,
-                                         const double        cutoff,
-                                         const unsigned int  reach,
-                                         const Communicator &world)
+  inline std::vector<ReducedBody>
+  reduce(const Model        &model,
+         const double        cutoff,
+         const unsigned int  reach,
+         const Communicator &world,
+         const FemOptions   &fem = make_fem_options(StiffnessKind::incompatible_modes))
   {
-    FemOptions fem;
-    fem.mass = MassKind::lumped;
     std::vector<ReducedBody> bodies;
     for (unsigned int b = 0; b < 2; ++b)
       bodies.push_back(reduce_body(model,
                                    b,
                                    list_touch_nodes(model, b),
-                                   list_readings(model, b, StiffnessKind::incompatible_modes, 2),
+                                   list_readings(model, b, fem, 2),
                                    fem,
                                    {2. * pi * cutoff, reach},
                                    model.bodies[b].rate,

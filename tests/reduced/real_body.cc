@@ -172,8 +172,8 @@ namespace
     std::ostringstream screen;
     Log                log(screen, false);
     ReducedOptions     options;
-    const auto         bodies =
-      reduce_pair(model, options, StiffnessKind::incompatible_modes, 60e3, 1., world, log);
+    const auto         bodies = reduce_pair(
+      model, options, options.fem(StiffnessKind::incompatible_modes), 60e3, 1., world, log);
     {
       const OutputFolder results(folder, world);
       export_bodies(bodies, model, results);

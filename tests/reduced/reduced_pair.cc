@@ -8,6 +8,9 @@
 #include "pair_of_bodies.h"
 
 #include <vfife/base/errors.h>
+#include <vfife/element/stress.h>
+#include <vfife/fem/statics/static_solver.h>
+#include <vfife/reduced/reduced_options.h>
 
 #include <cmath>
 
@@ -42,9 +45,7 @@ namespace
   {
     const Model  model = make_model("at_rest", 6., world);
     const double mesh  = 1. / model.transmission->mesh_frequency();
-    FemOptions   fem;
-    fem.mass = MassKind::lumped;
-    Compliance                  compliance(model, fem, false, world);
+    Compliance compliance(model, make_fem_options(StiffnessKind::incompatible_modes), false, world);
     const std::vector<double>   turns = {0., .5 * 2. * pi / 27., 2. * pi / 27.};
     PairEquilibrium             whole(model, compliance, turns);
     const PairEquilibriumResult at = whole.solve(0., 1.);
@@ -108,6 +109,42 @@ namespace
                     straight);
         check_close("the load is carried", state.measured.contact_torque / 8e5, 1., 1e-6);
       }
+  }
+
+  /** Bodies with points between the nodes: facets move as the means at their nodes. */
+  void quadratic(Communicator &world)
+  {
+    const Model    model = make_model("quadratic", 6., world);
+    const double   mesh  = 1. / model.transmission->mesh_frequency();
+    ReducedOptions options;
+    options.elements     = BodyElements::quadratic;
+    const FemOptions fem = options.fem(StiffnessKind::incompatible_modes);
+    check("curved elements, facets as their nodes",
+          fem.element == FemElement::quadratic && fem.geometry == FemGeometry::curved &&
+            !fem.divides_facets);
+    Compliance                  compliance(model, fem, false, world);
+    PairEquilibrium             whole(model, compliance, {0.});
+    const PairEquilibriumResult at = whole.solve(0., 1.);
+    ReducedPair                 pair =
+      make_pair(model, reduce(model, 15e3, 39, world, fem), {mesh / 2000., 2000., 2000.});
+    pair.start();
+    check_close("quadratic elements: transmission error",
+                measure(pair).measured.transmission_error / error_of(model, compliance, at),
+                1.,
+                straight);
+    const std::vector<Stress> stresses =
+      compute_node_stresses(compliance.space(), at.displacements);
+    double worst = 0;
+    for (std::size_t i = 0; i < model.probes.size(); ++i)
+      {
+        const Probe &probe = model.probes[i];
+        const double known = von_mises(stresses[model.bodies[probe.body].first_node + probe.node]);
+        worst =
+          largest_of(worst, std::abs(pair.measure_probes({probe}).front().von_mises / known - 1.));
+      }
+    check("probes", model.probes.size() > 1);
+    // The turn on the hub strains the whole body by its linear strains.
+    check_below("stresses at probes", worst, 1e-4);
   }
 
   /** Transmission errors at the ends of steps of a history. */
@@ -271,5 +308,5 @@ int main(int argc, char **argv)
 {
   return run_parts(argc,
                    argv,
-                   {at_rest, in_motion, speeding_up, parting, too_long_steps, refusals});
+                   {at_rest, quadratic, in_motion, speeding_up, parting, too_long_steps, refusals});
 }

@@ -2,6 +2,7 @@
 #ifndef vfife_fem_fem_options_h
 #define vfife_fem_fem_options_h
 
+#include <vfife/element/stiffness.h>
 #include <vfife/fem/system/fem_space.h>
 #include <vfife/fem/system/finite_strain.h>
 
@@ -58,6 +59,9 @@ namespace vfife
     /** Declares the entries in the section entered. */
     void declare(dealii::ParameterHandler &prm);
   };
+
+  /** The conventional elements of a run with this stiffness, with the masses of its mass points. */
+  FemOptions make_fem_options(StiffnessKind stiffness);
 } // namespace vfife
 
 #endif

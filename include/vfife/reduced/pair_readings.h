@@ -2,7 +2,6 @@
 #ifndef vfife_reduced_pair_readings_h
 #define vfife_reduced_pair_readings_h
 
-#include <vfife/element/stiffness.h>
 #include <vfife/reduced/reduced_body.h>
 
 #include <complex>
@@ -11,6 +10,7 @@
 
 namespace vfife
 {
+  struct FemOptions;
   struct Model;
 
   /** Names of the readings of gear bodies. */
@@ -33,13 +33,13 @@ namespace vfife
   /**
    * What a gear body of a pair shows: mean rotations of bore and rim about its axis, its probes
    * (each as its copy in sector 0), and of the driven body the waves of its rim with up to
-   * @p largest_diameters. Stresses are those of the element kind @p stiffness, linear in the
+   * @p largest_diameters. Stresses are those of the elements @p fem, linear in the
    * displacements, less what initial strains make of the undeformed body.
    */
-  std::vector<SectorReading> list_readings(const Model  &model,
-                                           unsigned int  body,
-                                           StiffnessKind stiffness,
-                                           unsigned int  largest_diameters);
+  std::vector<SectorReading> list_readings(const Model      &model,
+                                           unsigned int      body,
+                                           const FemOptions &fem,
+                                           unsigned int      largest_diameters);
 
   /** The wave w with @p diameters, of a rim's motion Re(w exp(i n alpha)) in turning axes along a
    * @p component (r, theta, z), of the @p coefficients that ReducedPair::measure_rim() has [um]. */

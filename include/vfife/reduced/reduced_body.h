@@ -27,8 +27,8 @@ namespace vfife
   {
     std::string name;
     /** Nodes of the body, in its whole numbering and of any sector (of sector 1 or the last one
-     * where the elements of a border take part), with what multiplies their displacements: in
-     * axes of the body frame. */
+     * where the elements of a border take part), then points between them as FemSpace numbers
+     * them, with what multiplies their displacements: in axes of the body frame. */
     std::vector<std::pair<unsigned int, Vector3>> weights;
     /** Value in the state of spin, where it is not that of the weights, as of a stress. */
     std::optional<double> offset;

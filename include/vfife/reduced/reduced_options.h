@@ -2,6 +2,8 @@
 #ifndef vfife_reduced_reduced_options_h
 #define vfife_reduced_reduced_options_h
 
+#include <vfife/fem/fem_options.h>
+
 #include <string>
 
 namespace dealii
@@ -11,6 +13,14 @@ namespace dealii
 
 namespace vfife
 {
+  /** Elements of reduced bodies. */
+  enum class BodyElements
+  {
+    as_run,    ///< the 8-node elements and mass points of explicit runs
+    quadratic, ///< curved, with consistent masses
+    cubic
+  };
+
   /** Section Reduced. */
   struct ReducedOptions
   {
@@ -18,8 +28,9 @@ namespace vfife
     unsigned int steps_per_mesh = 150; ///< at least
     unsigned int steps_per_mode = 6;   ///< at least, in the shortest period of a kept mode
     unsigned int reach          = 4;   ///< sectors on each side whose residual flexibility is kept
-    std::string  store;                ///< folder in which reduced bodies are kept; empty: none
-    bool         exports = false;      ///< whether their matrices are written
+    BodyElements elements       = BodyElements::as_run;
+    std::string  store;           ///< folder in which reduced bodies are kept; empty: none
+    bool         exports = false; ///< whether their matrices are written
 
     // Of sweeps over speed, mesh cycles at each of them:
     unsigned int settling_meshes = 40; ///< before what is counted
@@ -34,6 +45,9 @@ namespace vfife
 
     /** The cut-off of the entry, or six orders of the mesh frequency and at least @p least [Hz]. */
     double find_cutoff(double mesh_frequency, double least) const;
+
+    /** Finite elements of the bodies; those of a run have this @p stiffness. */
+    FemOptions fem(StiffnessKind stiffness) const;
 
     /** Steps in a mesh cycle: a multiple of the @p samples of a history. */
     unsigned int find_steps(double mesh_frequency, double cutoff, unsigned int samples) const;

@@ -169,10 +169,11 @@ namespace vfife
     const BodyStructure &structure = body().structure();
     const Vector3        axis      = compute_sector_axis(body()).direction;
     SectorRow            row;
-    for (const auto &[node, weight] : weights)
+    const SectorCopies  *copies = rotating_.copies();
+    for (const auto &[point, weight] : weights)
       {
-        const unsigned int s = structure.sector_of(node);
-        row.push_back({structure.first_copy(node),
+        const unsigned int s = copies ? copies->sector_of(point) : structure.sector_of(point);
+        row.push_back({copies ? copies->original_of(point) : structure.first_copy(point),
                        s,
                        rotation_about(axis, -(s * sector().sector_angle())) *
                          (body().placement.rotation * weight)});

@@ -13,13 +13,6 @@ namespace vfife
   {
     /** The tooth of each member whose flexibility all others have. */
     constexpr unsigned int copied = 0;
-
-    std::vector<unsigned int> all_bodies(const Model &model)
-    {
-      std::vector<unsigned int> bodies(model.bodies.size());
-      std::iota(bodies.begin(), bodies.end(), 0u);
-      return bodies;
-    }
   } // namespace
 
   InstantPressure::InstantPressure(const Model        &model,

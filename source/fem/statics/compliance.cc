@@ -11,19 +11,11 @@
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <numeric>
 
 namespace vfife
 {
   namespace
   {
-    std::vector<unsigned int> all_bodies(const Model &model)
-    {
-      std::vector<unsigned int> bodies(model.bodies.size());
-      std::iota(bodies.begin(), bodies.end(), 0u);
-      return bodies;
-    }
-
     /** Right sides solved for at once. */
     constexpr unsigned int block = 32;
 

@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include "dual_means.h"
 
-#include <vfife/contact/search/local_search.h>
 #include <vfife/fem/statics/facet_parts.h>
 #include <vfife/fem/system/element_integrals.h>
 #include <vfife/fem/system/load_forces.h>
@@ -21,21 +20,13 @@ namespace vfife
     }
   } // namespace
 
-  Vector2 place_on_facet(const std::array<Vector3, 4> &x, const Vector3 &at)
-  {
-    // The same normal everywhere.
-    const FacetState facet{{x[0], x[1] - x[0], x[3] - x[0], x[0] - x[1] + x[2] - x[3]},
-                           {(x[2] - x[0]).cross(x[3] - x[1]).normalized(),
-                            Vector3::Zero(),
-                            Vector3::Zero(),
-                            Vector3::Zero()}};
-    Projection       place;
-    project_on_facet(facet, 0, at, place);
-    return Vector2(place.xi, place.eta).cwiseMax(0.).cwiseMin(1.);
-  }
-
   FacetParts::FacetParts(const FemSpace &space)
   {
+    if (!space.options().divides_facets)
+      {
+        means_ = NodeAverages(space).all();
+        return;
+      }
     const unsigned int n = space.degree() + 1;
     DualMeans          means;
     for (const auto &[part, faces] : find_divided_faces(space))

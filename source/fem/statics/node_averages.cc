@@ -1,8 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include "dual_means.h"
 
+#include <vfife/contact/search/local_search.h>
 #include <vfife/contact/surface/facet_quadrature.h>
-#include <vfife/fem/statics/facet_parts.h>
 #include <vfife/fem/statics/node_averages.h>
 #include <vfife/fem/system/element_integrals.h>
 #include <vfife/fem/system/load_forces.h>
@@ -10,6 +10,19 @@
 
 namespace vfife
 {
+  Vector2 place_on_facet(const std::array<Vector3, 4> &x, const Vector3 &at)
+  {
+    // The same normal everywhere.
+    const FacetState facet{{x[0], x[1] - x[0], x[3] - x[0], x[0] - x[1] + x[2] - x[3]},
+                           {(x[2] - x[0]).cross(x[3] - x[1]).normalized(),
+                            Vector3::Zero(),
+                            Vector3::Zero(),
+                            Vector3::Zero()}};
+    Projection       place;
+    project_on_facet(facet, 0, at, place);
+    return Vector2(place.xi, place.eta).cwiseMax(0.).cwiseMin(1.);
+  }
+
   NodeAverages::NodeAverages(const FemSpace &space)
   {
     DualMeans means;

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <numeric>
 #include <set>
 #include <sstream>
 
@@ -555,6 +556,13 @@ namespace vfife
       for (unsigned int c = 0; c < 3; ++c)
         values[3 * a + c] = u[3 * static_cast<std::size_t>(p[a]) + c];
     return values;
+  }
+
+  std::vector<unsigned int> all_bodies(const Model &model)
+  {
+    std::vector<unsigned int> bodies(model.bodies.size());
+    std::iota(bodies.begin(), bodies.end(), 0u);
+    return bodies;
   }
 
   void require_all_copies(const Body                      &body,

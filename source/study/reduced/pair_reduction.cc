@@ -72,7 +72,7 @@ namespace vfife
       Log                &log_;
     };
 
-    const SealedFile seal    = {"vfife-reduction", "reduced body", 1};
+    const SealedFile seal    = {"vfife-reduction", "reduced body", 2};
     const char       entry[] = "Reduced/store";
 
     /** "Pinion" is kept in pinion.reduction. */
@@ -187,7 +187,7 @@ namespace vfife
 
   std::vector<ReducedBody> reduce_pair(const Model          &model,
                                        const ReducedOptions &options,
-                                       const StiffnessKind   stiffness,
+                                       const FemOptions     &fem,
                                        const double          cutoff,
                                        const double          faster,
                                        const Communicator   &communicator,
@@ -195,10 +195,6 @@ namespace vfife
                                        const MoreReadings   &more)
   {
     require_reducible(model);
-    FemOptions fem;
-    fem.mass = MassKind::lumped; // as the mass points of a run
-    fem.element =
-      stiffness == StiffnessKind::full ? FemElement::full : FemElement::incompatible_modes;
     const ReductionStore     store(options.store, communicator, log);
     std::vector<ReducedBody> bodies;
     for (unsigned int b = 0; b < model.bodies.size(); ++b)
@@ -207,7 +203,7 @@ namespace vfife
         const Body                     &body  = model.bodies[b];
         const std::vector<unsigned int> nodes = list_touch_nodes(model, b);
         std::vector<SectorReading>      readings =
-          list_readings(model, b, stiffness, RimWriter::count_diameters(model));
+          list_readings(model, b, fem, RimWriter::count_diameters(model));
         if (more)
           for (SectorReading &reading : more(b))
             readings.push_back(std::move(reading));

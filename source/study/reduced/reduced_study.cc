@@ -146,6 +146,11 @@ namespace vfife
       {
         return sweep_.kind == SweepKind::none;
       }
+      /** Elements of the bodies. */
+      FemOptions fem() const
+      {
+        return options_.fem(dynamics_.stiffness);
+      }
       /** The largest speed over that of the case at time zero. */
       double largest_factor() const
       {
@@ -180,9 +185,7 @@ namespace vfife
       void check_instants(const Model &model) const
       {
         if (instants_.asked_for())
-          check_pressures(instants_,
-                          make_fem_options(dynamics_),
-                          describe_run(gear_case_, model, gear_case_.end_time()));
+          check_pressures(instants_, fem(), describe_run(gear_case_, model, gear_case_.end_time()));
       }
       Motion make_motion(const std::vector<ReducedBody> &bodies) const;
       /** @p at_start: figures of find_start_stresses(). */
@@ -210,7 +213,7 @@ namespace vfife
           },
           observers);
         results.record_pressures(instants_,
-                                 make_fem_options(dynamics_),
+                                 fem(),
                                  describe_run(gear_case_, model, end_time),
                                  read_flanks(model, pair),
                                  log,
@@ -384,7 +387,7 @@ namespace vfife
       const Communicator &communicator = folder.communicator();
       Model               model        = gear_case_.make_model(log);
       check_instants(model); // before the reduction, which takes longer
-      const auto   settled      = settle_penalties(gear_case_, dynamics_, communicator, log, model);
+      const auto   settled      = settle_penalties(gear_case_, fem(), communicator, log, model);
       const double mean_penalty = model.contacts.front().mean_penalty();
       std::optional<RootStress> roots;
       if (is_motion())
@@ -397,7 +400,7 @@ namespace vfife
       };
       std::vector<ReducedBody> bodies = reduce_pair(model,
                                                     options_,
-                                                    dynamics_.stiffness,
+                                                    fem(),
                                                     least_cutoff(),
                                                     largest_factor(),
                                                     communicator,
@@ -416,7 +419,7 @@ namespace vfife
                                       : " ns per mesh cycle at the largest speed");
       ReducedPair  pair(model, std::move(bodies), motion.options);
       NamedFigures at_start =
-        find_start_stresses(model, dynamics_, settled.compliance.get(), communicator, log);
+        find_start_stresses(model, fem(), settled.compliance.get(), communicator, log);
       at_start.insert(at_start.end(), settled.figures.begin(), settled.figures.end());
       if (is_motion())
         {

@@ -16,11 +16,11 @@
 
 namespace vfife
 {
-  NamedFigures find_start_stresses(const Model           &model,
-                                   const DynamicsOptions &dynamics,
-                                   Compliance            *compliance,
-                                   const Communicator    &communicator,
-                                   Log                   &log)
+  NamedFigures find_start_stresses(const Model        &model,
+                                   const FemOptions   &fem,
+                                   Compliance         *compliance,
+                                   const Communicator &communicator,
+                                   Log                &log)
   {
     const auto   start = WallClock::now();
     PartStresses parts(model);
@@ -28,8 +28,7 @@ namespace vfife
       {
         std::optional<Compliance> own;
         if (compliance == nullptr)
-          compliance =
-            &own.emplace(model, make_fem_options(dynamics), model.any_body_turns(), communicator);
+          compliance = &own.emplace(model, fem, model.any_body_turns(), communicator);
         PairEquilibrium           equilibrium(model, *compliance, {0.});
         const std::vector<double> u        = equilibrium.solve(0., 1.).displacements;
         const std::vector<Stress> stresses = compute_node_stresses(compliance->space(), u);

@@ -176,13 +176,17 @@ namespace vfife
       bool  run_once(OutputFolder &folder, Log &log);
       Model make_model(Log &log) const;
       /** Adds the writers of root stresses and pressures that are asked for. */
-      void                     record_stresses(const Model         &model,
-                                               const RootSubmodels *submodels,
-                                               double               end_time,
-                                               const Communicator  &communicator,
-                                               Log                 &log,
-                                               RunObservers        &observers,
-                                               PairResults         &pair) const;
+      void       record_stresses(const Model         &model,
+                                 const RootSubmodels *submodels,
+                                 double               end_time,
+                                 const Communicator  &communicator,
+                                 Log                 &log,
+                                 RunObservers        &observers,
+                                 PairResults         &pair) const;
+      FemOptions fem() const
+      {
+        return make_fem_options(dynamics_.stiffness);
+      }
       double                   choose_step(double stable_step) const;
       std::vector<std::string> report_contradictions(const Model   &model,
                                                      SteppedSolver &stepped,
@@ -229,7 +233,7 @@ namespace vfife
     pair.record_fillets(fillets_, submodels, measure_places(model, communicator), observers);
     pair.record_parts(dynamics_, observers);
     pair.record_pressures(instants_,
-                          make_fem_options(dynamics_),
+                          fem(),
                           describe_run(*case_, model, end_time),
                           gather_flanks(model, communicator),
                           log,
@@ -280,9 +284,7 @@ namespace vfife
     if (model.transmission)
       RootStress(model, fillets_);
     if (instants_.asked_for())
-      check_pressures(instants_,
-                      make_fem_options(dynamics_),
-                      describe_run(*case_, model, case_->end_time()));
+      check_pressures(instants_, fem(), describe_run(*case_, model, case_->end_time()));
     SteppedSolver stepped(model, dynamics_, communicator, log, [this](const double stable_step) {
       return choose_step(stable_step);
     });
@@ -312,7 +314,7 @@ namespace vfife
   {
     const Communicator &communicator = folder.communicator();
     Model               model        = make_model(log);
-    SettledPenalties    settled = settle_penalties(*case_, dynamics_, communicator, log, model);
+    SettledPenalties    settled      = settle_penalties(*case_, fem(), communicator, log, model);
     SteppedSolver stepped(model, dynamics_, communicator, log, [this](const double stable_step) {
       return choose_step(stable_step);
     });

@@ -147,7 +147,7 @@ namespace vfife
         };
         return reduce_pair(model,
                            reduced_,
-                           dynamics_.stiffness,
+                           reduced_.fem(dynamics_.stiffness),
                            least_cutoff(),
                            faster,
                            communicator,
@@ -307,7 +307,8 @@ namespace vfife
       log.set_verbosity(output_.verbosity);
       Model model = gear_case_.make_model(log);
       check_diameters(model);
-      settle_penalties(gear_case_, dynamics_, folder.communicator(), log, model);
+      settle_penalties(
+        gear_case_, reduced_.fem(dynamics_.stiffness), folder.communicator(), log, model);
       const auto                start = WallClock::now();
       std::optional<RootStress> roots;
       if (fillets_.records())

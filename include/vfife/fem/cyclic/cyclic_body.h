@@ -112,7 +112,13 @@ namespace vfife
       return torque_;
     }
 
-    /** Reads nodes of the body (whole numbering) along directions in axes of its frame. */
+    /** All sectors with elements as those of sector(). */
+    const FemSpace &all_sectors() const
+    {
+      return rotating_.shown();
+    }
+    /** Reads points of all_sectors(), of which the body's nodes are the first, along directions in
+     * axes of the body's frame. */
     SectorRow make_row(const std::vector<std::pair<unsigned int, Vector3>> &weights) const;
 
   private:

@@ -88,6 +88,12 @@ namespace vfife
     {
       return shown_ ? *shown_ : space_.degree() > 1 ? space_ : whole_;
     }
+    /** Points of shown() as copies of those of space(); nullptr where points are nodes, and for
+     * whole bodies. */
+    const SectorCopies *copies() const
+    {
+      return copies_.get();
+    }
     /** All sectors, where one is computed too. */
     const FemSpace &whole() const
     {

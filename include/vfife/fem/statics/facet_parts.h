@@ -2,7 +2,7 @@
 #ifndef vfife_fem_statics_facet_parts_h
 #define vfife_fem_statics_facet_parts_h
 
-#include <vfife/fem/system/fem_space.h>
+#include <vfife/fem/statics/node_averages.h>
 
 #include <array>
 #include <map>
@@ -10,10 +10,6 @@
 
 namespace vfife
 {
-  /** (xi, eta) in [0, 1] of the place of a facet with these corners, in cyclic order, that is
-   * below or above @p x. */
-  Vector2 place_on_facet(const std::array<Vector3, 4> &corners, const Vector3 &x);
-
   /**
    * The quadrilaterals into which the points of quadratic, cubic and divided elements part the
    * facets of surfaces in contact. Displacements on a part are bilinear between its corners, and

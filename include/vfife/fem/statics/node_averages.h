@@ -4,10 +4,15 @@
 
 #include <vfife/fem/system/fem_space.h>
 
+#include <array>
 #include <map>
 
 namespace vfife
 {
+  /** (xi, eta) in [0, 1] of the place of a facet with these corners, in cyclic order, that is
+   * below or above @p x. */
+  Vector2 place_on_facet(const std::array<Vector3, 4> &corners, const Vector3 &x);
+
   /**
    * The motion of a node of a surface in contact where elements have points between the nodes. A
    * force on one point would dent them. A contact force on a node is therefore a traction on the
@@ -26,6 +31,12 @@ namespace vfife
 
     /** Of the node at @p point of the space: weights that sum to one. */
     PointWeights of(unsigned int point) const;
+
+    /** Of all nodes that are not their own mean, by point. */
+    const std::map<unsigned int, PointWeights> &all() const
+    {
+      return means_;
+    }
 
   private:
     std::map<unsigned int, PointWeights> means_; ///< by point

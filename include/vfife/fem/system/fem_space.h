@@ -202,6 +202,9 @@ namespace vfife
     double                                             sector_angle_ = 0;
   };
 
+  /** Numbers of all bodies of a model. */
+  std::vector<unsigned int> all_bodies(const Model &model);
+
   /** Throws InputError, naming @p what, where a body of equal sectors has one of @p nodes without
    * its copies in all sectors. */
   void require_all_copies(const Body                      &body,

@@ -57,6 +57,10 @@ namespace vfife
     /** Steps after the local refinement; numbers are those after the step before. None with cyclic
      * symmetry. */
     std::vector<Division> divisions = {};
+
+    /** Whether contact divides facets by the points between nodes (FacetParts). Explicit runs and
+     * reduced bodies do not: their facets move as their four nodes. */
+    bool divides_facets = true;
   };
 } // namespace vfife
 

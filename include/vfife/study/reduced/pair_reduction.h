@@ -2,7 +2,6 @@
 #ifndef vfife_study_reduced_pair_reduction_h
 #define vfife_study_reduced_pair_reduction_h
 
-#include <vfife/element/stiffness.h>
 #include <vfife/reduced/reduced_body.h>
 
 #include <functional>
@@ -13,6 +12,7 @@ namespace vfife
   class Communicator;
   class Log;
   class OutputFolder;
+  struct FemOptions;
   struct Model;
   struct ReducedOptions;
 
@@ -20,14 +20,14 @@ namespace vfife
   using MoreReadings = std::function<std::vector<SectorReading>(unsigned int body)>;
 
   /**
-   * The bodies of a gear pair with modes below @p cutoff [Hz] at least, about their state of spin
-   * at the model's rates times @p faster, with all readings of a run and @p more (nullptr: none);
-   * of those that are kept in ReducedOptions::store the kept ones. Throws as reduce_body() and
-   * ReductionStore, and InputError for pairs on shafts. Collective.
+   * The bodies of a gear pair, of elements @p fem, with modes below @p cutoff [Hz] at least, about
+   * their state of spin at the model's rates times @p faster, with all readings of a run and @p
+   * more (nullptr: none); of those that are kept in ReducedOptions::store the kept ones. Throws as
+   * reduce_body() and ReductionStore, and InputError for pairs on shafts. Collective.
    */
   std::vector<ReducedBody> reduce_pair(const Model          &model,
                                        const ReducedOptions &options,
-                                       StiffnessKind         stiffness,
+                                       const FemOptions     &fem,
                                        double                cutoff,
                                        double                faster,
                                        const Communicator   &communicator,

@@ -9,20 +9,20 @@ namespace vfife
   class Communicator;
   class Compliance;
   class Log;
-  struct DynamicsOptions;
+  struct FemOptions;
   struct Model;
 
   /**
    * The largest stress of web, rim and hub of the pair at rest in its first position, under torque
    * and spin, of all nodes: a reduced body knows stresses of its probes and fillets alone. Says in
-   * the log what it finds, or why nothing. @p compliance: of the model, as PairStart asks for;
+   * the log what it finds, or why nothing. @p compliance: of the model's bodies of elements @p fem;
    * nullptr: is factorized here. Collective.
    */
-  NamedFigures find_start_stresses(const Model           &model,
-                                   const DynamicsOptions &dynamics,
-                                   Compliance            *compliance,
-                                   const Communicator    &communicator,
-                                   Log                   &log);
+  NamedFigures find_start_stresses(const Model        &model,
+                                   const FemOptions   &fem,
+                                   Compliance         *compliance,
+                                   const Communicator &communicator,
+                                   Log                &log);
 } // namespace vfife
 
 #endif

@@ -14,10 +14,6 @@ namespace vfife
 {
   class Case;
 
-  /** The conventional elements that are nearest to those of a run, with the masses of its mass
-   * points. */
-  FemOptions make_fem_options(const DynamicsOptions &options);
-
   /** What settle_penalties() leaves besides the penalties. */
   struct SettledPenalties
   {
@@ -27,12 +23,13 @@ namespace vfife
     NamedFigures figures;
   };
 
-  /** Finds the penalties that a case leaves open (calibrate_penalty()). Collective. */
-  SettledPenalties settle_penalties(const Case            &the_case,
-                                    const DynamicsOptions &dynamics,
-                                    const Communicator    &communicator,
-                                    Log                   &log,
-                                    Model                 &model);
+  /** Finds the penalties that a case leaves open (calibrate_penalty()) for bodies of the elements
+   * @p fem. Collective. */
+  SettledPenalties settle_penalties(const Case         &the_case,
+                                    const FemOptions   &fem,
+                                    const Communicator &communicator,
+                                    Log                &log,
+                                    Model              &model);
 
   /**
    * Equilibrium of a gear pair in the frames that turn with its bodies, found in a few rounds: the
