@@ -427,7 +427,7 @@ namespace
       part.at("found").get<bool>() && part.at("ripple").at("steady").get<bool>();
     check("ends where it is steady, or at the limit",
           is_steady == has_text(log, "the ripple is steady within") &&
-            !is_steady == has_text(log, "the ripple is not steady after 14"));
+            !is_steady == has_text(log, "the ripple is still transient after 14"));
     const auto meshes =
       static_cast<unsigned int>(std::lround((steady.at("time").size() - 1) / 98.));
     const Columns given = turn("given", std::to_string(meshes), false);

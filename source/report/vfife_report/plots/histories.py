@@ -25,7 +25,7 @@ def mark_steady_part(run, axes):
         start, end, found = part
         axes.axvspan(1e3 * start, 1e3 * end, color=PALE, zorder=0)
         text = "last third (not steady)" if not found else (
-            "means steady, ripple not steady" if run.is_ripple_steady() is False else "steady part")
+            "means steady, ripple still transient" if run.is_ripple_steady() is False else "steady part")
         axes.annotate(text, (1e3 * start, 1),
                       xycoords=("data", "axes fraction"), xytext=(3, -10),
                       textcoords="offset points", fontsize=8, color=GREY)
@@ -63,7 +63,7 @@ def draw_transmission_error(run):
     axes.set_xlabel("")
     label_ends(axes, [(time[-1], history[name][-1], text, colour)
                             for name, text, colour in curves])
-    below.set(title="Dynamic transmission error minus its mean over the marked part", ylabel="[arcsec]", xlabel="time [ms]")
+    below.set(title="Ripple: dynamic transmission error minus its mean over the marked part", ylabel="[arcsec]", xlabel="time [ms]")
     below.margins(x=0)
     add_legend(below, fontsize=8, ncol=2)
     return plot
