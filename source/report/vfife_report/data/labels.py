@@ -24,7 +24,7 @@ COMPUTATION = {
     "time": "simulated time", "step": "time step", "steps": "time steps", "run time": "computing time of the steps",
     "ranks": "MPI ranks", "other": "model, equilibrium at the start, files", "total": "total without report",
     "rest of the steps": "other parts of the steps", "nodal update": "update of the nodes", "observers": "histories and files of the steps"}
-GEOMETRY = {
+GEOMETRY_NAMES = {
     "designed normal backlash, mean point": "normal backlash at the mean point, without errors",
     "cutter diameter, mean of the point radii": "cutter diameter, mean of inside and outside point diameters"}
 VALUES = {
@@ -38,6 +38,6 @@ def label(words, name):
     return words.get(name, name)
 
 
-def label_figure(name):
+def label_quantity(name):
     """Key figures of pinion and gear parts: the place is along the axis."""
     return name.replace(", at height", ", at axial position from the apex")

@@ -4,7 +4,7 @@ to peak and standard deviations are the program's own (summary.json), the others
 import numpy as np
 
 from ..data.columns import CONTACT_FORCE, JUDGED, TRANSMISSION_ERROR
-from ..data.labels import label_figure
+from ..data.labels import label_quantity
 from ..data.table import write_persons
 from .passages import find_passages, find_run_engagement
 from .periodicity import measure_column
@@ -64,7 +64,7 @@ def list_tooth_quantities(run):
 def list_probe_quantities(run):
     for name, one in run.summary.get("figures", {}).items():
         if "largest von Mises stress" in name:
-            yield label_figure(name), one["value"], one["unit"]
+            yield label_quantity(name), one["value"], one["unit"]
     for name, passage in find_passages(run):
         yield f"{name}, peak von Mises stress", passage.peak, "MPa"
         yield f"{name}, least von Mises stress", passage.least, "MPa"

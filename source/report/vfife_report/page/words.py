@@ -1,6 +1,6 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """A case in words: titles, sentences and rows made from the parameters in force."""
-from ..data.labels import GEOMETRY, VALUES, label
+from ..data.labels import GEOMETRY_NAMES, VALUES, label
 from ..data.naming import GEAR, PINION, describe_pair, describe_web, list_unused, name_driven, normalize
 from ..data.parameters import read_given
 from ..data.unused import sweeps_speeds
@@ -138,12 +138,12 @@ def list_model_rows(run):
 def list_geometry_rows(geometry):
     """Quantity, unit, pinion and gear of a folder's geometry; of the pair itself in the first column."""
     for name, one in geometry["pair"].items():
-        yield [label(GEOMETRY, name), one["unit"], one["value"], ""]
+        yield [label(GEOMETRY_NAMES, name), one["unit"], one["value"], ""]
     pinion, gear = geometry["pinion"], geometry["gear"]
     for name, one in pinion.items():
         other = gear.get(name)
         if isinstance(one, dict) and isinstance(other, dict):
-            yield [label(GEOMETRY, name), one["unit"], one["value"], other["value"]]
+            yield [label(GEOMETRY_NAMES, name), one["unit"], one["value"], other["value"]]
         else:
             yield [name, "", one, other]
 
