@@ -51,15 +51,15 @@ namespace vfife
          << " mesh cycles " << (largest_after_mesh < 0 ? "before" : "after") << " contact, median "
          << figure_text(median) << " MPa; ";
     if (has_peak && has_median)
-      text << "the record contains both values";
+      text << "the record contains this largest value and the median";
     else if (has_peak)
-      text << "the record contains the largest value, but not the median (least "
+      text << "the record contains this largest value, but not the median (least "
            << figure_text(least) << " MPa)";
     else if (has_median)
-      text << "the record contains the median, but not the largest value";
+      text << "the record contains the median, but not this largest value";
     else
-      text << "the record contains neither of these values (least " << figure_text(least)
-           << " MPa)";
+      text << "the record contains neither this largest value nor the median (least "
+           << figure_text(least) << " MPa)";
     return text.str();
   }
 } // namespace vfife

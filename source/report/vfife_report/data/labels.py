@@ -27,6 +27,7 @@ COMPUTATION = {
 GEOMETRY_NAMES = {
     "designed normal backlash, mean point": "normal backlash at the mean point, without errors",
     "cutter diameter, mean of the point radii": "cutter diameter, mean of inside and outside point diameters"}
+HISTORIES = {"dte": "transmission error (dte)", "contact force total": "sum of the contact forces"}
 VALUES = {
     "true flank": "generated flank (true flank)",
     "flat facets": "flat facets of the mesh",

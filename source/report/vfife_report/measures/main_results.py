@@ -19,7 +19,7 @@ def describe_ripple(run, quantity, column):
     words = {True: "ripple steady", False: "ripple still transient", None: "ripple not judged"}[run.is_ripple_steady()]
     part = run.summary.get("figures", {}).get(f"{quantity} by the contact points")
     periodic = measure_column(run, column)
-    return (words + (f"; mean mesh cycle {periodic.ripple:.3g} {run.history.units[column]}" if periodic else "")
+    return (words + (f"; peak to peak of the mean mesh cycle {periodic.ripple:.3g} {run.history.units[column]}" if periodic else "")
             + "; mesh error unknown with one mesh"
             + (f"; numerical noise by contact points {part['value']:.2g} {part['unit']}" if part else ""))
 

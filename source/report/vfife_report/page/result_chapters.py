@@ -1,5 +1,6 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """The first chapter of the report, the main results, and the chapter about their accuracy: for one run, and for a folder of runs."""
+from ..data.labels import HISTORIES, label
 from ..data.naming import describe_pair
 from ..measures.accuracy import FREQUENCY_ERROR, LARGEST_FREQUENCY_ERROR, MESH_PAGE, NO_ESTIMATE, VARIANTS_PAGE
 from ..measures.checks import list_checks
@@ -47,7 +48,7 @@ def tell_resonance(run):
 def tell_ripple(run):
     """Both halves of the steady part of a run, and the length that a steady ripple needs."""
     ripple = run.summary.get("steady part", {}).get("ripple", {})
-    rows = [[name, one["peak to peak of the first half"]["value"], one["peak to peak of the second half"]["value"],
+    rows = [[label(HISTORIES, name), one["peak to peak of the first half"]["value"], one["peak to peak of the second half"]["value"],
              one["peak to peak of the first half"]["unit"], 100 * one["largest change"]["value"]]
             for name, one in ripple.get("columns", {}).items()]
     if not rows:

@@ -83,7 +83,9 @@ def tell_spectra(run, plots):
     yield Cells(["history"] + LINES_HEADER, list_other_lines(run), LINES_CAPTION)
     yield Cells(SIDEBANDS_HEADER, list(list_sidebands(run)),
                 "Sidebands one shaft rotation below and above the mesh harmonics (Hann window).")
-    yield Paragraph(describe_resolution(run), "soft")
+    frequency = run.value("torsional mode frequency, estimated")
+    yield Paragraph((f"The estimated natural frequency of the torsional mode is {frequency:.0f} Hz. " if frequency else "")
+                    + describe_resolution(run), "soft")
     found = [(column, measure_column(run, column)) for column in JUDGED]
     yield Cells(["history", "unit", "mesh cycles", "peak to peak of the mean mesh cycle", "residual standard deviation",
                  "cycle-to-cycle change, rms", "largest cycle-to-cycle change", "drift per mesh cycle",

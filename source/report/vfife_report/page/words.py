@@ -1,5 +1,7 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """A case in words: titles, sentences and rows made from the parameters in force."""
+from pathlib import Path
+
 from ..data.labels import GEOMETRY_NAMES, VALUES, label
 from ..data.naming import GEAR, PINION, describe_pair, describe_web, list_unused, name_driven, normalize
 from ..data.parameters import read_given
@@ -74,6 +76,8 @@ def make_title(run):
 def list_case_rows(run):
     """Name and value of what defines the case, as far as it is known."""
     parameters = run.parameters
+    if run.summary.get("parameter file"):
+        yield "parameter file", Path(run.summary["parameter file"]).name
     # What was derived is in the table of the geometry.
     given = not run.geometry and parameters.get("Gear pair/Proposal/pinion teeth", "0") == "0"
     unused = list_unused(parameters)
