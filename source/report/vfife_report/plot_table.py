@@ -67,7 +67,7 @@ RUN_PLOTS = (
     PlotRow("rim_waves.svg", (has_rim_over_meshes,), rim.draw_rim_waves,
             "Spectra of the axial vibration of the rim: forward and backward travelling waves, in the rotating frame.", "Motion of the rim"),
     PlotRow("energies.svg", (has_history,), histories.draw_energies,
-            "Energy error, and changes of the energies.", "Energy and damping"),
+            "Energy error, and changes of the energies. A negative value of the speed controller is added energy.", "Energy and damping"),
     PlotRow("bearings.svg", (has_bearings,), bearings.draw_bearings,
             "Forces of the bearings on their shafts, and displacements of their seats.", "Bearings"),
     PlotRow("misalignment.svg", (has_misalignment,), bearings.draw_misalignment,

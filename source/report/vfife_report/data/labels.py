@@ -20,6 +20,13 @@ ENERGIES = {
     "contact loss by friction": "friction loss in the contact",
     "residual": "residual of the energy balance",
     "error": "residual over the largest energy exchanged"}
+# Columns of history.csv in the plot of the energies.
+ENERGY_CURVES = {
+    "contact energy": "energy of the contact penalty",
+    "relative kinetic energy": "kinetic energy of the vibration",
+    "damping loss": "loss by mass proportional damping",
+    "removed by the driven speed damping": "removed by the speed controller",
+    "contact loss": "loss in the contact"}
 COMPUTATION = {
     "time": "simulated time", "step": "time step", "steps": "time steps", "run time": "computing time of the steps",
     "ranks": "MPI ranks", "other": "model, equilibrium at the start, files", "total": "total without report",

@@ -4,6 +4,7 @@ import numpy as np
 from matplotlib.patheffects import withStroke
 
 from ..data.columns import CONTACT_FORCE
+from ..data.labels import ENERGY_CURVES
 from ..measures.periodicity import compute_mesh_average
 from .style import COLOURS, GREY, PALE, add_legend, label_ends, plt
 
@@ -151,7 +152,7 @@ def draw_energies(run):
     for number, name in enumerate(n for n in shown if n in history and np.any(history[n])):
         change = history[name] - history[name][0]
         below.plot(time, change, color=COLOURS[number % len(COLOURS)],
-                   label=name.replace(" energy", ""))
+                   label=ENERGY_CURVES.get(name, name))
     add_legend(below, fontsize=9)
     below.set_ylabel("change since the start [mJ]")
     below.set_title("Changes of the energies")
