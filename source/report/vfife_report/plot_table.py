@@ -79,8 +79,7 @@ RUN_PLOTS = (
 # For the last fields of a run.
 FIELD_PICTURES = (
     PlotRow("bodies.png", (), draw_bodies,
-            "Von Mises stress of the bodies, with element edges. The largest value includes flanks and fillets."
-            " Key figures of web, rim and hub exclude them.", "Results"),
+            "Von Mises stress of the bodies, with element edges. The largest value is that of all nodes.", "Results"),
     PlotRow("teeth_in_mesh.png", (is_in_mesh,), draw_teeth_in_mesh,
             "Teeth in contact: von Mises stress in a normal section, and contact pressure on the gear.", "Contact"),
     PlotRow("meridian_section.png", (is_in_mesh,), draw_meridian_section,

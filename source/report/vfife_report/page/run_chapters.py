@@ -40,6 +40,8 @@ def tell_quantities(run, plots):
     if run.is_ripple_steady() is False:
         yield Paragraph(f"The ripple is still transient. {RECORD_ONLY}", "alarm")
     defined = "doc/reference/report.md defines the quantities."
+    if any("rim, largest von Mises stress" in name for name, *_ in rows):
+        defined = f"Stresses of web, rim and hub exclude flanks and fillets. {defined}"
     yield Cells(["quantity", "value", "unit"] + ["remark"] * marked, [row if marked else row[:-1] for row in rows],
                 defined if run.history is None or run.is_equilibrium() else f"{describe_part(run)} {defined}")
     yield Cells(["constraint", "force x [N]", "force y [N]", "force z [N]", "moment x [N mm]", "moment y [N mm]",
