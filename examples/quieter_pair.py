@@ -102,7 +102,7 @@ place, course = search((0.25, 25), (0.05, -3), rounds=2)
 print(f"from {course[0]:.2f} to {course[-1]:.2f} arcsec at ellipse length {place[0]:.3g}, path angle {place[1]:g} deg")
 
 # %% [markdown]
-# The coarse mesh and the given penalty are for the search. With `mesh = medium` and `penalty = auto` the ripple is
+# The coarse mesh and the given penalty are for the search. With `mesh = medium` and `penalty = auto` the peak to peak value is
 # 9.69 arcsec at the start and 3.71 at the end. Without load both have the same transmission error, which says nothing of the
 # loaded one: what helps is the larger contact, along the face and by contact ratio. Flank points of the result go to whoever
 # cuts or measures them.

@@ -67,13 +67,13 @@ ENTRIES = (
           "The gear flank is measured, the pinion flank has five terms of an ease-off. Deviations of some micrometres more than treble "
           "the 1.8 arcsec of the designed flanks. [Errors](theory/errors.md)"),
     Entry("running_pair", "The coarse pair at 20,000 rpm", "spiral_bevel_quick.prm", "teeth_in_mesh.png",
-          (("mean transmission error", "dte mean", 3), ("ripple, peak to peak", "dte peak to peak", 2),
+          (("mean transmission error", "dte mean", 3), ("transmission error, peak to peak of the record", "dte peak to peak", 2),
            ("mean contact force", "contact force total mean", 3)),
           "Explicit dynamics of 19,380 elements over 14 mesh cycles. The section and the pressure on the flanks show two to three tooth "
           "pairs in contact. [Run](reference/kinds.md#run-of-a-gear-pair)"),
     Entry("reduced_pair", "The same pair with reduced bodies", "reduced/spiral_bevel_quick.prm", "rim_waves.svg",
           (("mean transmission error", "dte mean", 3),
-           ("ripple of the second half, peak to peak",
+           ("transmission error, peak to peak of the second half",
             "steady part/ripple/columns/dte/peak to peak of the second half", 2),
            ("mean contact force", "contact force total mean", 3)),
           "143 modes and the residual flexibility of four teeth give the mean of the run in seconds for 60 mesh cycles. The plots show "

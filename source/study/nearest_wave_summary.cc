@@ -57,7 +57,7 @@ namespace vfife
 
   void report_nearest_wave(const NearestWave &nearest, Log &log, RunSummary &summary)
   {
-    log.line("nearest wave: ", nearest.describe());
+    log.line("nearest resonance of a wave: ", nearest.describe());
     summary.nearest_wave = nearest.describe();
     summary.figures.push_back({figure_name::nearest_wave_speed, {nearest.speed * 30. / pi, "rpm"}});
     summary.figures.push_back({figure_name::nearest_wave_distance, {100. * nearest.distance, "%"}});
@@ -85,7 +85,7 @@ namespace vfife
         reason = error.what();
       }
     if (!reason.empty())
-      log.line("nearest wave: not available, ", reason);
+      log.line("nearest resonance of a wave: not available, ", reason);
     log.line("  waves in contact found in ", duration_text(seconds_since(start)));
   }
 

@@ -244,7 +244,7 @@ namespace
     check_close("growing ripple: change", dte.change, 1 - std::pow(2.75, -.5), 1e-3);
     check("growing ripple: said so",
           grows.explain().rfind("means steady from", 0) == 0 &&
-            has_text(grows.explain(), "the ripple is not steady"));
+            has_text(grows.explain(), "The ripple is still transient"));
     // Forces of thousands are no powers of ten.
     Ripple of_forces  = grows.ripple;
     of_forces.columns = {{"contact force total", "N", 1829.4, 1834.2, .0339}};

@@ -189,12 +189,12 @@ class Pages(unittest.TestCase):
                 make_page(name)
                 text = self.read(name)
                 # Three figures of the ripple in each column: none of the means.
-                marks = re.findall("<td>([^<]*)</td><td[^>]*>[^<]*</td><td>[^<]*</td><td>ripple not steady</td>", text)
+                marks = re.findall("<td>([^<]*)</td><td[^>]*>[^<]*</td><td>[^<]*</td><td>ripple still transient</td>", text)
                 self.assertEqual(marks, [] if steady else [
-                    f"{column}, {what}" for column in ("dte", "rim dte") for what in ("peak to peak", "standard deviation")])
-                self.assertEqual("The ripple is not steady" in text, not steady)
+                    f"{column}, {what}" for column in ("dte", "rim dte") for what in ("peak to peak of the record", "standard deviation")])
+                self.assertEqual("The ripple is still transient" in text, not steady)
                 self.assertIn("✓ met" if steady else "✗ not met",
-                              text[text.index("<td>ripple, first half against second"):].split("</tr>")[0])
+                              text[text.index("<td>ripple, first half against second half"):].split("</tr>")[0])
 
     def test_part(self):
         """The times that means cover: no steady part where none was found."""
@@ -206,7 +206,7 @@ class Pages(unittest.TestCase):
                 (Path(name) / "summary.json").write_text(json.dumps(summary))
                 make_page(name)
                 text = self.read(name)
-                self.assertEqual("Means and ripples cover the steady part." in text, found)
+                self.assertEqual("Means and peak to peak values cover the steady part." in text, found)
                 self.assertEqual("cover the last third, because no steady part was found." in text, not found)
 
     def test_run(self):
@@ -235,14 +235,15 @@ class Pages(unittest.TestCase):
                 make_page(name)
                 text = self.read(name)
                 first = text[text.index(">Results</h2>"):text.index(">Transmission error</h2>")]
-                for words in ("transmission error, mean", "transmission error, peak to peak", "contact force, peak to peak",
+                for words in ("transmission error, mean", "transmission error, peak to peak of the record",
+                              "sum of the contact forces, peak to peak of the record",
                               "contact pressure (Hertz), largest"):
-                    self.assertIn(f"<td>{words}</td>", first)
+                    self.assertIn(f">{words}</td>", first)
                 self.assertLessEqual(first.count("<tr>"), 6)
-                self.assertEqual("steady in time; mesh error unknown" in first.replace("not steady in time", ""), steady)
-                self.assertEqual("ripple, first half against second" in first[first.index("These checks are not met"):], not steady)
-                trust = text[text.index(">How far to trust</h2>"):]
-                row = trust[trust.index("ripple of transmission error and forces"):].split("</tr>")[0]
+                self.assertEqual("<td>ripple still transient; peak to peak of the mean mesh cycle" in first.replace('<td class="long">', "<td>"), not steady)
+                self.assertEqual("ripple, first half against second half" in first[first.index("These checks are not met"):], not steady)
+                trust = text[text.index(">Accuracy and validity</h2>"):]
+                row = trust[trust.index("peak to peak of transmission error and forces"):].split("</tr>")[0]
                 self.assertIn(f"<td>{'yes' if steady else 'no'}</td>", row)
 
     def test_killed(self):
@@ -301,11 +302,11 @@ class Pages(unittest.TestCase):
             text = self.read(name)
             alike, different = text.index("geometry of all variants"), text.index("Geometry that differs between variants")
             self.assertIn("27.7", text[alike:])
-            for rows, there in ((text[alike:different], False), (text[different:text.index("Means and ripple", different)], True)):
+            for rows, there in ((text[alike:different], False), (text[different:text.index("Means and peak to peak", different)], True)):
                 self.assertEqual("<td>web thickness</td>" in rows, there)
             self.assertRegex(text, r"<td>web thickness</td>\s*<td>web 3.5 mm at 70 deg</td>")
-            self.assertEqual(text.count("These variants have no steady part: web 3.5 mm at 70 deg. Their means"), 2)
-            self.assertEqual(text.count("The ripple of these variants is not steady: web 3.5 mm at 70 deg."), 2)
+            self.assertEqual(text.count("These variants have no steady part: web 3.5 mm at 70 deg. Their values"), 2)
+            self.assertEqual(text.count("The ripple of these variants is still transient: web 3.5 mm at 70 deg."), 2)
             self.assertIn("<td>last third</td>", text)
 
     def test_unused_entries(self):

@@ -119,7 +119,7 @@ class Studies(unittest.TestCase):
             curves = draw_curves(Study(Path(name)))
             # A mean of hundreds would flatten a peak to peak of eight; nine curves are more than there are colours.
             self.assertEqual([axes.get_title(loc="left") for axes in curves.axes],
-                             ["transmission error, mean", "transmission error, ripple, peak to peak", ""])
+                             ["transmission error, mean", "transmission error, oscillation, peak to peak", ""])
             looks = [(line.get_color(), line.get_linestyle()) for line in curves.axes[2].lines]
             self.assertEqual(len(set(looks)), 9)
             for words in ("offset 0.1 mm", "transmission error mean", "\u221280.25", "\u221282.25", "finished"):
@@ -159,7 +159,7 @@ class Results(unittest.TestCase):
             run = RunFolder(folder)
             text = read_report(folder)
             self.assertIn(">Results</h2>", text)
-            self.assertIn(">How far to trust</h2>", text)
+            self.assertIn(">Accuracy and validity</h2>", text)
             rows = list_main_results(run)
             self.assertLessEqual(len(rows), 5)
             self.assertTrue(rows and all(accuracy for *_, accuracy in rows))
@@ -236,11 +236,11 @@ class Results(unittest.TestCase):
             self.assertEqual(mean[0], "transmission error, mean")
             self.assertEqual(mean[1:4:2], [-80, -80])
             self.assertEqual([row[0] for row in list_study_trust(study)],
-                             ["means of the variants", "ripples of the variants", "differences between variants"])
+                             ["means of the variants", "peak to peak of the variants", "differences between variants"])
         first = text[text.index(">Results</h2>"):]
         self.assertLess(first.index("transmission error, mean"), first.index(">The variants</h2>"))
         self.assertIn("Differences between variants have no error estimate.", first)
-        self.assertIn(">How far to trust</h2>", text)
+        self.assertIn(">Accuracy and validity</h2>", text)
 
     def test_farthest(self):
         """The row with the largest difference over its tolerance is the first."""

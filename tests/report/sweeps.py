@@ -175,7 +175,7 @@ class Speeds(unittest.TestCase):
             for direction in ("up", "down"):
                 self.assertIn(f"{model}, peak to peak, speed {direction}", names)
         sentences = " ".join(list_sentences(study.speeds, study.beside))
-        self.assertIn("In the reduced pair the ripple of the dte is largest at 5000 rpm", sentences)
+        self.assertIn("In the reduced pair the peak to peak dte is largest at 5000 rpm", sentences)
 
     def test_waterfall(self):
         """Mesh and free line with their amplitudes; between two bins of four a line loses 1 % at most (Hann)."""

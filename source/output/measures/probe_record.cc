@@ -46,19 +46,19 @@ namespace vfife
     std::ostringstream text;
     text << name << ": largest von Mises stress of the record " << figure_text(peak) << " MPa at "
          << figure_text(1e3 * peak_time)
-         << " ms; in one revolution (all sectors at the last instant) " << figure_text(largest)
-         << " MPa, " << figure_text(std::abs(largest_after_mesh)) << " mesh cycles "
-         << (largest_after_mesh < 0 ? "before" : "after") << " contact, median "
+         << " ms; in one revolution, from all sectors at the last time step, "
+         << figure_text(largest) << " MPa, " << figure_text(std::abs(largest_after_mesh))
+         << " mesh cycles " << (largest_after_mesh < 0 ? "before" : "after") << " contact, median "
          << figure_text(median) << " MPa; ";
     if (has_peak && has_median)
-      text << "the record has this largest value and the median";
+      text << "the record contains this largest value and the median";
     else if (has_peak)
-      text << "the record has the peak, but ends or begins before it falls to the median (least "
+      text << "the record contains this largest value, but not the median (least "
            << figure_text(least) << " MPa)";
     else if (has_median)
-      text << "the peak of the passage is outside the record";
+      text << "the record contains the median, but not this largest value";
     else
-      text << "neither the peak of the passage nor its median is in the record (least "
+      text << "the record contains neither this largest value nor the median (least "
            << figure_text(least) << " MPa)";
     return text.str();
   }

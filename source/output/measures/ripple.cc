@@ -100,18 +100,18 @@ namespace vfife
   std::string Ripple::explain() const
   {
     if (!judged)
-      return "the ripple is not judged: two whole mesh cycles are required";
+      return "The ripple is not judged: two whole mesh cycles are required";
     std::ostringstream text;
-    text << "the ripple " << (steady ? "is steady in time" : "is not steady in time");
+    text << "The ripple is " << (steady ? "steady" : "still transient");
     const char *separator = ": ";
     for (const RippleChange &column : columns)
       {
         text << separator << column.name << " has " << figure_text(column.peak_to_peak_before)
              << " " << column.unit << " peak to peak in the first half and "
              << figure_text(column.peak_to_peak_after) << " " << column.unit
-             << " in the second (peak to peak and harmonics change by up to "
-             << figure_text(100 * column.change) << " %)";
-        separator = ", ";
+             << " in the second, the largest change including mesh harmonics is "
+             << figure_text(100 * column.change) << " %";
+        separator = "; ";
       }
     return text.str();
   }

@@ -301,7 +301,7 @@ namespace vfife
     if (!found)
       text << "; values are from the " << (first_row == 0 ? "whole record, " : "last third, ")
            << milliseconds(start_time) << " ms to " << milliseconds(end_time) << " ms";
-    text << "; " << ripple.explain();
+    text << ". " << ripple.explain();
     return text.str();
   }
 } // namespace vfife

@@ -99,7 +99,7 @@ namespace vfife
                  place_of(p).first,
                  " mm from the axis, at ",
                  place_of(p).second,
-                 " mm along it");
+                 " mm along the axis from the apex");
   }
 
   void PartStresses::serialize(ByteStream &stream)

@@ -304,8 +304,11 @@ namespace vfife
   {
     if (meeting.turn_share > meeting.share)
       return "torsional mode";
-    return "n = " + std::to_string(meeting.diameters) +
-           (meeting.diameters == 0 ? "" : std::string(" ") + name_of(meeting.direction));
+    return std::to_string(meeting.diameters) + " nodal diameter" +
+           (meeting.diameters == 1 ? "" : "s") +
+           (meeting.diameters == 0
+              ? ""
+              : ", " + std::string(name_of(meeting.direction)) + " travelling wave");
   }
 
   Table make_contact_meeting_table(

@@ -28,8 +28,8 @@ namespace vfife
   {
     std::ostringstream text;
     text << describe_wave(meeting) << ", mesh order " << meeting.mesh_order << ", " << std::fixed
-         << std::setprecision(0) << speed * 30. / pi << " rpm, " << std::setprecision(1)
-         << 100. * distance << " % from the operating speed";
+         << std::setprecision(0) << speed * 30. / pi << " rpm of the pinion, "
+         << std::setprecision(1) << 100. * distance << " % from the operating speed";
     return text.str();
   }
 

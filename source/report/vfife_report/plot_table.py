@@ -28,18 +28,18 @@ from .plots.waterfalls import draw_waterfall
 # For the folder of a run.
 RUN_PLOTS = (
     PlotRow("dte.svg", (has_pair,), histories.draw_transmission_error,
-            "Dynamic transmission error of hub and rim. A lag of the driven member is negative.",
+            "Dynamic transmission error of hub and rim: actual minus ideal rotation. A lag of the driven member is negative.",
             "Transmission error"),
     PlotRow("contact_force.svg", (has_contact,), histories.draw_contact_force,
-            "Total contact force; for a gear pair also the force of each tooth pair.", "Contact"),
+            "Contact force: sum of all tooth pairs, and each tooth pair.", "Contact"),
     PlotRow("tooth_engagement.svg", (has_tooth_pressures,), tooth_contact.draw_tooth_engagement,
             "Force and Hertzian pressure of one tooth pair during its engagement. The pressure follows from force and "
             "curvatures, not from mesh and penalty.", "Contact"),
     PlotRow("load_sharing.svg", (has_tooth_pressures,), tooth_contact.draw_load_sharing,
-            "Load share and Hertzian pressure of all tooth pairs, shifted to the position of the first.", "Contact"),
+            "Load share and Hertzian pressure of all tooth pairs, superposed by whole tooth pitches.", "Contact"),
     PlotRow("contact_pattern.svg", (has_pattern, has_history), tooth_contact.draw_contact_pattern,
-            "Contact pattern over the last mesh cycle, with the distances L along the pitch cone and h above it. Nodal pressures are "
-            "relative to the largest, because they depend on the mesh.", "Contact",
+            "Contact pattern over the last mesh cycle: L is the distance along the pitch cone, h the height above it. Nodal pressures are "
+            "divided by their largest value. The pattern is qualitative, because nodal pressures depend on the mesh.", "Contact",
             data="pattern.csv"),
     PlotRow("spectra.svg", (has_tooth_mesh,), spectra.draw_spectra,
             "Amplitudes over the whole mesh cycles of the steady part, without window.",
@@ -60,14 +60,14 @@ RUN_PLOTS = (
     PlotRow("model_probes.svg", (has_model_probes,), histories.draw_model_probes,
             "Displacements and von Mises stresses of the probes.", "Motion of the probes"),
     PlotRow("rim_content.svg", (has_rim,), rim.draw_rim_content,
-            "Displacement of the rim by nodal diameters: static part in the fixed frame, caused by the load, and vibration.",
+            "Displacement of the rim by nodal diameters: static deflection in the fixed frame, caused by the load, and vibration.",
             "Motion of the rim"),
     PlotRow("rim_history.svg", (has_rim,), rim.draw_rim_history,
-            "Axial waves of the rim, without the static part in the fixed frame.", "Motion of the rim"),
+            "Axial vibration of the rim by nodal diameters, without the static deflection in the fixed frame.", "Motion of the rim"),
     PlotRow("rim_waves.svg", (has_rim_over_meshes,), rim.draw_rim_waves,
-            "Spectra of the axial waves of the rim by direction of travel.", "Motion of the rim"),
+            "Spectra of the axial vibration of the rim: forward and backward travelling waves, in the rotating frame.", "Motion of the rim"),
     PlotRow("energies.svg", (has_history,), histories.draw_energies,
-            "Energy error, and changes of the energies.", "Energy and damping"),
+            "Energy error, and changes of the energies. A negative value of the speed controller is added energy.", "Energy and damping"),
     PlotRow("bearings.svg", (has_bearings,), bearings.draw_bearings,
             "Forces of the bearings on their shafts, and displacements of their seats.", "Bearings"),
     PlotRow("misalignment.svg", (has_misalignment,), bearings.draw_misalignment,
@@ -79,7 +79,7 @@ RUN_PLOTS = (
 # For the last fields of a run.
 FIELD_PICTURES = (
     PlotRow("bodies.png", (), draw_bodies,
-            "Von Mises stress of the bodies, with element edges.", "Results"),
+            "Von Mises stress of the bodies, with element edges. The largest value is that of all nodes.", "Results"),
     PlotRow("teeth_in_mesh.png", (is_in_mesh,), draw_teeth_in_mesh,
             "Teeth in contact: von Mises stress in a normal section, and contact pressure on the gear.", "Contact"),
     PlotRow("meridian_section.png", (is_in_mesh,), draw_meridian_section,
@@ -101,8 +101,9 @@ TABLE_PLOTS = (
             "Loaded tooth contact by finite elements", data="loaded_contact.csv, loaded_teeth.csv"),
     PlotRow("loaded_pattern.svg", (has_pattern, has_file("loaded_contact.csv")),
             tooth_contact.draw_contact_pattern,
-            "Contact pattern on the drive flanks over one mesh cycle, with the distances L along the pitch cone and h above it. A cross "
-            "marks its centre. Nodal pressures are relative to the largest, because they depend on the mesh.",
+            "Contact pattern on the drive flanks over one mesh cycle: L is the distance along the pitch cone, h the height above it. A cross "
+            "marks the centre. Nodal pressures are divided by their largest value. The pattern is qualitative, because nodal pressures "
+            "depend on the mesh.",
             "Loaded tooth contact by finite elements", data="pattern.csv"),
     PlotRow("grid_pressure.svg", (has_file("pressure.csv"),), grid_pressure.draw_pressure,
             "Pressure on the own grid and force of each tooth pair during its engagement. The pressure inside the flank does not depend "
@@ -170,8 +171,8 @@ STUDY_PLOTS = (
             "Responses of all variants over rising speed. A dot marks the largest value.", "Responses over speed",
             data="resonance.csv, stress_response.csv of each variant"),
     PlotRow("resonance.svg", (has_speeds,), draw_resonance,
-            "Ripple of transmission error and contact force over speed, with other models. Circles mark runs without steady part or steady "
-            "ripple. Vertical lines mark resonances of a mesh order with a coupled mode.", "Over one parameter"),
+            "Peak to peak and RMS of transmission error and contact force over speed, with other models. Circles mark runs without steady part "
+            "or with transient ripple. Vertical lines mark resonances of a mesh order with a coupled mode.", "Over one parameter"),
     PlotRow("waterfall_dte.svg", (has_speeds,), partial(draw_waterfall, column=TRANSMISSION_ERROR),
             "Spectra of the transmission error at each speed (Hann window, whole mesh cycles of the steady part). The distance of the rows "
             "is not to scale.", "Over one parameter"),

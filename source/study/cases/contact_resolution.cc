@@ -86,7 +86,7 @@ namespace vfife
     std::ostringstream text;
     set_figure_digits(text, 4);
     text << "contact points lie " << spacing << " mm apart, " << contact << " is " << width
-         << " mm wide: pressures at points are inaccurate and the force has a ripple";
+         << " mm wide: pressures at points are inaccurate and the force oscillates with the points";
     return text.str();
   }
 

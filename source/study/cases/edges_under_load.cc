@@ -83,15 +83,16 @@ namespace vfife
     for (unsigned int i = 0; i < 2; ++i)
       if (is_loaded(borders_[i]))
         {
-          text << separator << (i == 0 ? "before" : "after") << " the path of contact ("
-               << borders_[i].name << ", " << borders_[i].place
-               << " pitches) a tooth pair has up to " << std::lround(borders_[i].force) << " N";
-          separator = ", ";
+          text << separator << borders_[i].name << " at the " << (i == 0 ? "start" : "end")
+               << " of the engagement, up to " << std::lround(borders_[i].force) << " N";
+          separator = "; ";
         }
     text
-      << " of " << std::lround(largest_)
-      << " N. Hertzian pressure applies inside the flanks only; at a sharp edge it is larger and "
-         "depends on the mesh (Contact/edge relief)";
+      << "; largest force of a tooth pair " << std::lround(largest_)
+      << " N. Without load the path of contact is from " << borders_[0].place << " to "
+      << borders_[1].place
+      << " pitches from the mean contact. Hertzian pressure applies inside the flanks only. At a "
+         "sharp edge the pressure is larger and depends on the mesh (Contact/edge relief)";
     return text.str();
   }
 

@@ -93,12 +93,12 @@ namespace vfife
       if (seen.facet > width)
         return sentence_of(
           4,
-          "flank elements of ",
+          "flank elements are ",
           seen.facet,
-          " mm are wider than the Hertzian contact of ",
+          " mm wide, the Hertzian contact ",
           width,
-          " mm: forces and Hertzian pressures are usable, nodal pressures and stresses "
-          "under the contact are not");
+          " mm (full width): tooth forces and Hertzian pressures are usable, nodal pressures and "
+          "subsurface stresses are not");
       return "";
     }
 

@@ -99,12 +99,12 @@ namespace vfife
           return;
         if (last)
           {
-            log.warning("the ripple is not steady after ",
+            log.warning("the ripple is still transient after ",
                         lengths[i],
                         " mesh cycles: Operation/maximum mesh cycles");
             return;
           }
-        log.line("the ripple is not steady after ",
+        log.line("the ripple is still transient after ",
                  lengths[i],
                  " mesh cycles: the run continues to ",
                  lengths[i + 1]);

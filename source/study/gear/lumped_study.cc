@@ -256,7 +256,7 @@ namespace vfife
              response.pp_force,
              "; ",
              response.losses,
-             " losses of contact; energy error ",
+             " tooth separations; energy error ",
              response.energy_error);
     Table resonance = make_resonance_response_table();
     if (sweep_.kind != SweepKind::none)

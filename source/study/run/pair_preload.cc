@@ -194,7 +194,7 @@ namespace vfife
                          t.driven_sense * (swing.torque - 1.) * torque);
         Relaxation::Loads standing;
         standing.pattern = &pattern;
-        relax("standing in space", standing);
+        relax("stationary in the fixed frame", standing);
       }
   }
 
@@ -228,11 +228,11 @@ namespace vfife
               parts.rim_tilt / arcsecond,
               ", rim bending ",
               preload_.rim_bending / arcsecond,
-              ", teeth and rest ",
+              ", teeth, pinion and remainder ",
               parts.teeth / arcsecond,
-              "; penalty stiffness accounts for ",
-              preload_.penalty_lag / arcsecond,
-              " arcsec of the lag");
+              "; of these the contact penalty causes ",
+              -preload_.penalty_lag / arcsecond,
+              " arcsec");
     if (PairMounting::changes(model_))
       {
         std::ostringstream misalignment;
@@ -247,7 +247,7 @@ namespace vfife
                   " arcsec of the whole; misalignment under load: ",
                   misalignment.str());
       }
-    log_.line("the driven member oscillates at about ",
+    log_.line("torsional natural frequency of the driven member about ",
               preload_.swing.frequency(),
               " Hz, ",
               model_.transmission->mesh_frequency() / preload_.swing.frequency(),

@@ -49,9 +49,9 @@ namespace vfife
         const std::size_t         z = turn.size(), n = peak_mesh(meshes_);
         const std::size_t         place = largest - turn.begin();
         log_.line(probe.name,
-                  ": largest von Mises stress of all images ",
+                  ": largest von Mises stress of all sectors ",
                   *largest,
-                  " MPa; the recorded image reaches this place after ",
+                  " MPa; the recorded sector reaches this place after ",
                   n,
                   " of ",
                   meshes_,

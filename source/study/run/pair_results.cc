@@ -212,7 +212,7 @@ namespace vfife
       }
     else
       log.line("vibrations do not decay without mass proportional damping and driven speed "
-               "damping: no ripple is steady");
+               "damping: the ripple remains transient");
     for (const char *name : {column::contact_force_total, column::dte, column::rim_dte})
       {
         const ColumnStatistics &c = summary.steady->column(name);
@@ -228,7 +228,7 @@ namespace vfife
                  c.unit,
                  !summary.steady->ripple.judged  ? " (ripple not judged)"
                  : summary.steady->ripple.steady ? ""
-                                                 : " (ripple not steady)");
+                                                 : " (ripple still transient)");
       }
   }
 

@@ -249,7 +249,7 @@ namespace vfife
         if (residual < loads.looseness * relaxation_.options().tolerance)
           {
             set_figure_digits(text, 4);
-            text << round << " rounds, residual " << residual;
+            text << round << " contact iterations, relative residual " << residual;
             return text.str();
           }
         residuals.push_back(residual);

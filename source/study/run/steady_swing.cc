@@ -104,7 +104,7 @@ namespace vfife
              (way == 0 ? " facets passed per gear mesh along the face"
                        : " facets passed per gear mesh along the profile"),
            {pair.facets_passed[side][way], "-"}});
-    log.line("excitation by the contact points, peak to peak: transmission error ",
+    log.line("numerical noise by the contact points, peak to peak: transmission error ",
              at_rest,
              " arcsec at rest, ",
              in_run,

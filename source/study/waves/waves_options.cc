@@ -81,7 +81,9 @@ namespace vfife
                    "allowed amplification",
                    allowed_amplification,
                    "Limit of the amplification: largest dynamic stress at a probe divided by the "
-                   "stress that is constant in space; speeds above it are to be avoided",
+                   "stress that is constant in space. speeds_to_avoid.csv lists the speeds above "
+                   "it. The default is 10 % more stress and no limit of a standard: choose it by "
+                   "the fatigue strength",
                    Range{1., std::numeric_limits<double>::infinity(), true});
     declare_quantity(prm,
                      "margin",

@@ -79,8 +79,8 @@ namespace
     check_close("outside: before [N]", value(outside, "largest force before it"), 300, 0);
     check_close("outside: after [N]", value(outside, "largest force after it"), 70, 0);
     check("outside: named",
-          has_text(outside.explain(), "before the path of contact (gear tip") &&
-            has_text(outside.explain(), "after the path of contact (pinion heel"));
+          has_text(outside.explain(), "gear tip at the start of the engagement") &&
+            has_text(outside.explain(), "pinion heel at the end of the engagement"));
     check("a touch is none",
           !observe({{0, "drive", 0, 5000}, {.05 * mesh, "drive", 26, 49}}).found());
     const std::string one =

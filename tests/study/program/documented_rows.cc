@@ -290,7 +290,7 @@ namespace
     };
     analyse({});
     compare_row("mean transmission error", {"transmission error mean"});
-    compare_row("ripple", {"transmission error peak to peak"});
+    compare_row("peak to peak", {"transmission error peak to peak"});
     compare_row("largest pressure", {"largest pressure inside on its own grid"});
     compare_row("root tension", {"pinion root tension", "gear root tension"});
     compare_row("root compression", {"pinion root compression", "gear root compression"});

@@ -420,14 +420,14 @@ namespace
     };
     const Columns     steady = turn("steady", "until steady", false);
     const std::string log    = read_text("steady/run.log");
-    check("not steady after 6 mesh cycles: the run continues to 9",
-          has_text(log, "not steady after 6 mesh cycles: the run continues to 9"));
+    check("still transient after 6 mesh cycles: the run continues to 9",
+          has_text(log, "still transient after 6 mesh cycles: the run continues to 9"));
     const auto part = read_json("steady/summary.json").at("steady part");
     const bool is_steady =
       part.at("found").get<bool>() && part.at("ripple").at("steady").get<bool>();
     check("ends where it is steady, or at the limit",
           is_steady == has_text(log, "the ripple is steady within") &&
-            !is_steady == has_text(log, "the ripple is not steady after 14"));
+            !is_steady == has_text(log, "the ripple is still transient after 14"));
     const auto meshes =
       static_cast<unsigned int>(std::lround((steady.at("time").size() - 1) / 98.));
     const Columns given = turn("given", std::to_string(meshes), false);

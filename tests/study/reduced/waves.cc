@@ -85,7 +85,7 @@ end
     check_close("as the speed in the summary", 100 * std::abs(named / 10000 - 1), distance, .1);
     check("and its words",
           has_text(summary.at("nearest wave").get<std::string>(),
-                   std::to_string(std::lround(named)) + " rpm, "));
+                   std::to_string(std::lround(named)) + " rpm of the pinion, "));
     for (std::size_t k = 0; k < 2; ++k)
       {
         // Against the spin 79 + 4 times the gear's speed, with it 79 - 4 times.

@@ -4,7 +4,7 @@ not known."""
 
 # Loaded analyses of the reference pair on coarse to fine meshes by the elements' degree: mean transmission error, its peak to peak,
 # root stress (doc/verification/gear-pair.md).
-MEAN_ERROR = {1: "1 to 5 % too small on meshes of the reference pair", 2: "about 1 % too small on meshes of the reference pair",
+MEAN_ERROR = {1: "magnitude 1 to 5 % too small on meshes of the reference pair", 2: "magnitude about 1 % too small on meshes of the reference pair",
               3: "within 0.2 % on meshes of the reference pair"}
 FREQUENCY_ERROR = {1: "1 to 3 % too high on the coarse gear of the reference pair", 2: "0.3 to 0.9 % too high on the coarse gear of the "
                    "reference pair", 3: "within 0.01 % on the coarse gear of the reference pair"}
@@ -15,7 +15,7 @@ SUBMODEL_ERROR = {1: "up to 7 % too large on the coarse, below 2 % on the medium
                   2: "below 2 % on meshes of the reference pair", 3: "below 2 % on meshes of the reference pair"}
 ELEMENT_ERROR = {1: "not converged: one third to two thirds of the true value", 2: "not converged: 20 to 24 % below a finer mesh of the "
                  "reference pair", 3: "not converged: 8 to 10 % below a finer mesh of the reference pair"}
-INSIDE = "by force and curvatures inside the flanks; not valid for edge contact"
+INSIDE = "from force and curvatures, valid inside the flanks; not valid for tip, toe and heel edge contact"
 # Pressure on the own grid inside the flanks (doc/verification/contact.md).
 GRID_ERROR = "within 2.5 % with 12 elements lengthwise, up to 21 % too large with 4 to 6, for the reference pair"
 # Unloaded contact has no elements (doc/verification/geometry.md).

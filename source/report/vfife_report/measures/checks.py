@@ -23,14 +23,14 @@ def list_checks(run):
         yield "status", status, "finished", judge(status == "finished")
     part = summary.get("steady part")
     if part:
-        yield ("steady part", f"{part['mesh cycles']} mesh cycles" if part["found"] else "none",
+        yield ("means steady within 1 %", f"{part['mesh cycles']} mesh cycles" if part["found"] else "none",
                "found", judge(part["found"]))
         steady = run.is_ripple_steady()
-        yield ("ripple, first half against second",
-               {True: "steady in time", False: "not steady"}.get(steady, "not judged"), "steady in time",
+        yield ("ripple, first half against second half",
+               {True: "steady", False: "still transient"}.get(steady, "not judged"), "change below 10 %",
                "not judged" if steady is None else judge(steady))
         # What is steady may still be that of the mesh: only a second mesh tells.
-        yield "ripple, this mesh against a finer one", "one mesh only", "", "not judged"
+        yield "ripple, this mesh against a finer mesh", "one mesh only", "", "not judged"
     if run.history is not None and "energy error" in run.history and not run.is_equilibrium():
         # At the first touch of an impact the energies that the error is divided by are still tiny.
         error = 100 * np.abs(run.history["energy error"])
@@ -39,12 +39,12 @@ def list_checks(run):
                "largest energy error of the last third" if part else "energy error at the end",
                f"{error[rows].max():.3g} %", f"below {LARGEST_ENERGY_ERROR} %",
                judge(error[rows].max() < LARGEST_ENERGY_ERROR))
-        yield "largest energy error of the whole run", f"{error.max():.3g} %", "", "not judged"
+        yield "largest energy error of the whole run", f"{error.max():.3g} %", "", "no criterion"
     yield from check_speeds(run)
     yield from check_torque(run)
     pressure, allowed = find_largest_pressure(run), find_allowed_pressure(run)
     if pressure is not None and allowed:
-        yield "contact pressure (Hertz)", f"{pressure:.0f} MPa", f"{allowed:.0f} MPa", judge(pressure <= allowed)
+        yield "contact pressure (Hertz) inside the flanks", f"{pressure:.0f} MPa", f"at most the limit in the input, {allowed:.0f} MPa", judge(pressure <= allowed)
     if run.edge_contact:
         carry = run.edge_contact["edge contact"]
         yield "contact inside the flanks", "edge contact" if carry else "no edge contact", "no edge contact", judge(not carry)
@@ -52,10 +52,10 @@ def list_checks(run):
         yield "contact inside the flanks", "not available for a driving gear", "no edge contact", "not judged"
     taken = summary.get("energy", {}).get("removed by the driven speed damping from the torsional mode")
     if taken and taken["value"] is not None and describe_pair(run.parameters):
-        yield "driven speed damping: energy removed from the torsional mode", f"{taken['value']:.3g} mJ", "not negative", judge(taken["value"] >= 0)
+        yield "energy removed by the speed controller from the torsional mode", f"{taken['value']:.3g} mJ", "not negative", judge(taken["value"] >= 0)
     losses = summary.get("contact losses")
     if losses and (run.value("mesh frequency") or run.changes_speed()):
-        yield "losses of contact", str(losses["count"]), "0", judge(losses["count"] == 0)
+        yield "tooth separations", str(losses["count"]), "0", judge(losses["count"] == 0)
     if "input conflicts" in summary:
         count = len(summary["input conflicts"])
         yield "input conflicts", str(count), "0", judge(count == 0)

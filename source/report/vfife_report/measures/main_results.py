@@ -7,17 +7,21 @@ from .accuracy import AT_CORNERS, GRID_ERROR, INSIDE, MEAN_ERROR, RIPPLE_ERROR, 
 from .kind_results import (list_contact_results, list_frequencies, list_lumped_results, list_mesh_results, list_model_results,
                            list_order_results, list_speed_results, list_wave_results)
 from .kinds import find_kind
+from .periodicity import measure_column
 from .pressures import find_largest_pressure
 
 MOST_RESULTS = 5
 REFERENCE_ERROR = "mean transmission error at rest, quadratic elements"
 
 
-def describe_ripple(run, quantity):
-    """For a run: whether it is steady in time, and the part of the contact points."""
-    words = {True: "steady in time", False: "not steady in time", None: "not judged in time"}[run.is_ripple_steady()]
+def describe_ripple(run, quantity, column):
+    """For a run: whether it is steady in time, the value of the mean mesh cycle, and the noise of the contact points."""
+    words = {True: "ripple steady", False: "ripple still transient", None: "ripple not judged"}[run.is_ripple_steady()]
     part = run.summary.get("figures", {}).get(f"{quantity} by the contact points")
-    return f"{words}; mesh error unknown with one mesh" + (f"; contact points contribute {part['value']:.2g} {part['unit']}" if part else "")
+    periodic = measure_column(run, column)
+    return (words + (f"; peak to peak of the mean mesh cycle {periodic.ripple:.3g} {run.history.units[column]}" if periodic else "")
+            + "; mesh error unknown with one mesh"
+            + (f"; numerical noise by contact points {part['value']:.2g} {part['unit']}" if part else ""))
 
 
 def describe_mean(run):
@@ -28,9 +32,11 @@ def describe_mean(run):
 def list_run_results(run):
     error, force = run.statistics(TRANSMISSION_ERROR), run.statistics(CONTACT_FORCE)
     yield "transmission error, mean", error["mean"], error["unit"], describe_mean(run)
-    yield "transmission error, peak to peak", error["peak to peak"], error["unit"], describe_ripple(run, "transmission error")
+    yield ("transmission error, peak to peak of the record", error["peak to peak"], error["unit"],
+           describe_ripple(run, "transmission error", TRANSMISSION_ERROR))
     if force:
-        yield "contact force, peak to peak", force["peak to peak"], force["unit"], describe_ripple(run, "contact force")
+        yield ("sum of the contact forces, peak to peak of the record", force["peak to peak"], force["unit"],
+               describe_ripple(run, "contact force", CONTACT_FORCE))
     yield "contact pressure (Hertz), largest", find_largest_pressure(run), "MPa", INSIDE
     stresses = {name: one["value"] for name, one in run.summary.get("figures", {}).items() if name.endswith("largest von Mises stress")}
     if stresses:

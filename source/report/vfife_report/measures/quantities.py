@@ -4,6 +4,7 @@ to peak and standard deviations are the program's own (summary.json), the others
 import numpy as np
 
 from ..data.columns import CONTACT_FORCE, JUDGED, TRANSMISSION_ERROR
+from ..data.labels import label_quantity
 from ..data.table import write_persons
 from .passages import find_passages, find_run_engagement
 from .periodicity import measure_column
@@ -11,14 +12,14 @@ from .pressures import find_allowed_pressure, find_largest_pressure
 
 
 ROUNDING = 1e-9  # of the largest, below which a component is none
-OF_THE_RIPPLE = ("peak to peak", "standard deviation")
+OF_THE_RIPPLE = ("peak to peak", "peak to peak of the record", "standard deviation")
 
 
 def remark(run, name):
     """What has to be known of a quantity of that name: figures of a ripple that is not steady are those of the record."""
     if not name.endswith(OF_THE_RIPPLE):
         return ""
-    remarks = ["ripple not steady"] if run.is_ripple_steady() is False else []
+    remarks = ["ripple still transient"] if run.is_ripple_steady() is False else []
     share = run.value("transmission error near the cut-off")
     if share and name.startswith(TRANSMISSION_ERROR):
         remarks.append(f"includes {share:.3g} arcsec of mesh order {run.value('mesh order near the cut-off'):.0f}, above half the cut-off")
@@ -32,13 +33,14 @@ def list_history_quantities(run):
             continue
         unit = statistics["unit"]
         yield f"{column}, mean", statistics["mean"], unit
-        yield f"{column}, peak to peak", statistics["peak to peak"], unit
+        yield f"{column}, peak to peak of the record", statistics["peak to peak"], unit
         yield f"{column}, standard deviation", statistics["standard deviation"], unit
         periodicity = measure_column(run, column)
         if periodicity:
-            yield f"{column}, trend per mesh cycle", periodicity.trend, unit
+            yield f"{column}, peak to peak of the mean mesh cycle", periodicity.ripple, unit
+            yield f"{column}, drift per mesh cycle", periodicity.trend, unit
             yield f"{column}, change between mesh cycles (rms)", periodicity.change, unit
-            yield f"{column}, periodic share of the variance", 100 * periodicity.periodic_share, "%"
+            yield f"{column}, share of the variance at mesh harmonics", 100 * periodicity.periodic_share, "%"
 
 
 def list_tooth_quantities(run):
@@ -62,7 +64,7 @@ def list_tooth_quantities(run):
 def list_probe_quantities(run):
     for name, one in run.summary.get("figures", {}).items():
         if "largest von Mises stress" in name:
-            yield name, one["value"], one["unit"]
+            yield label_quantity(name), one["value"], one["unit"]
     for name, passage in find_passages(run):
         yield f"{name}, peak von Mises stress", passage.peak, "MPa"
         yield f"{name}, least von Mises stress", passage.least, "MPa"
@@ -72,9 +74,9 @@ def list_probe_quantities(run):
             yield f"{name}, largest von Mises stress of one rotation", turn["largest per revolution"]["value"], "MPa"
             yield f"{name}, median von Mises stress of one rotation", turn["median per revolution"]["value"], "MPa"
         else:
-            yield f"{name}, steady von Mises stress", passage.steady, "MPa"
+            yield f"{name}, median von Mises stress outside the gear mesh", passage.steady, "MPa"
         if passage.whole:
-            yield f"{name}, duration of the passage", 1e3 * passage.duration, "ms"
+            yield f"{name}, duration of the stress cycle in the gear mesh", 1e3 * passage.duration, "ms"
 
 
 def list_model_quantities(run):

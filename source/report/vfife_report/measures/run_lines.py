@@ -8,9 +8,9 @@ from .periodicity import LEAST_MESHES
 from .sidebands import find_resolution, list_shafts, name_offset
 
 HARMONICS_HEADER = ["order", "frequency [Hz]", "amplitude", "unit"]
-HARMONICS_CAPTION = "Largest mesh harmonics of the mean mesh cycle."
+HARMONICS_CAPTION = "Largest mesh harmonics of the mean mesh cycle (average of all mesh cycles, synchronous with the gear mesh)."
 LINES_HEADER = ["line", "frequency [Hz]", "amplitude", "unit"]
-LINES_CAPTION = f"Strongest lines that are no mesh harmonics, up to mesh order {HIGHEST_LINE_ORDER} (Hann window)."
+LINES_CAPTION = f"Strongest lines between the mesh harmonics, up to mesh order {HIGHEST_LINE_ORDER} (Hann window)."
 LOW_ORDER = 0.75  # of the gear mesh, up to which a line is no sideband of a harmonic
 
 
@@ -57,7 +57,7 @@ def describe_resolution(run):
     resolution = find_resolution(run)
     if not np.isfinite(resolution):
         return "The record is too short for a spectrum, which needs two whole mesh cycles."
-    text = f"Spectral lines less than {resolution:.0f} Hz apart are not resolved."
+    text = f"Spectral lines less than {resolution:.0f} Hz apart are not resolved (two line spacings, Hann window)."
     for shaft in list_shafts(run):
         if not shaft.resolved:
             text += (f" Sidebands at the rotation of the {shaft.name} ({shaft.frequency:.0f} Hz) are not resolved; "

@@ -46,7 +46,7 @@ def name_offset(run, offset):
         if shaft.resolved and 0 < abs(turns) <= TURNS and (
                 abs(offset - turns * shaft.frequency) < 0.25 * find_resolution(run)):
             return f"{turns:+d} rotation{'s' if abs(turns) > 1 else ''} of the {shaft.name}"
-    return f"{offset:+.0f} Hz"
+    return f"{abs(offset):.0f} Hz {'below' if offset < 0 else 'above'}"
 
 
 def list_sidebands(run):

@@ -10,7 +10,7 @@ from .kinds import find_kind
 from .main_results import describe_mean
 from .study_results import list_asked_ranges
 
-TRUST_HEADER = ["result", "steady in time", "converged with the mesh", "page"]
+TRUST_HEADER = ["result", "steady in time", "mesh convergence", "page"]
 YES, NO, NOT_JUDGED = "yes", "no", "not judged"
 RIPPLE = {True: YES, False: NO, None: NOT_JUDGED}
 DAMPING = "depend on the given damping"
@@ -20,7 +20,7 @@ CORNERS = ["stress at sharp corners and edges", "", "no: unbounded", LIMITS_PAGE
 def trust_run(run):
     ripple = RIPPLE[run.is_ripple_steady()]
     yield ["mean transmission error, mean forces", YES if run.is_steady() else NO, describe_mean(run), PAIR_PAGE]
-    yield ["ripple of transmission error and forces", ripple, ONE_MESH, MESH_PAGE]
+    yield ["peak to peak of transmission error and forces", ripple, ONE_MESH, MESH_PAGE]
     yield ["resonance peaks", ripple, DAMPING, DAMPING_PAGE]
     yield from trust_stresses(run, 1)
 
@@ -38,7 +38,9 @@ def trust_stresses(run, degree):
            "doc/how-to/contact-pressure.md"]
     if run.has_file("pressure.csv"):
         yield ["contact pressure on the own grid", "", f"inside the flanks {GRID_ERROR}; at edges unbounded", "doc/verification/contact.md"]
-    yield ["root stress", "", describe_root(run, degree), "doc/how-to/root-stress.md"]
+    recorded = run.has_file("root_stress.csv") or any("root" in name for name in (*run.stated, *run.summary.get("figures", {})))
+    yield ["root stress", "", describe_root(run, degree) if recorded else "not recorded: set Fillets/teeth = in mesh",
+           "doc/how-to/root-stress.md"]
     yield ["stress of web, rim and hub", "", "converged away from sharp corners, where it is unbounded", LIMITS_PAGE]
 
 
@@ -127,6 +129,6 @@ def list_study_trust(study):
         return
     if judged:
         yield ["means of the variants", steady, ONE_MESH, VARIANTS_PAGE]
-        yield ["ripples of the variants", f"{sum(run.is_ripple_steady() is True for run in judged)} of {len(judged)} runs", ONE_MESH,
+        yield ["peak to peak of the variants", f"{sum(run.is_ripple_steady() is True for run in judged)} of {len(judged)} runs", ONE_MESH,
                VARIANTS_PAGE]
     yield ["differences between variants", "", "no error bars", VARIANTS_PAGE]

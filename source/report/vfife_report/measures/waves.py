@@ -76,7 +76,7 @@ def list_peaks_beyond(lines, response):
 def list_directions(rate):
     """Name and sign of the frequency of each direction of travel. The load, which stands in space,
     travels against the turning of the gear."""
-    return (("against the rotation", -np.sign(rate)), ("with the rotation", np.sign(rate)))
+    return (("backward", -np.sign(rate)), ("forward", np.sign(rate)))
 
 
 def list_wave_spectra(run, n):

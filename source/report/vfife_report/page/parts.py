@@ -7,7 +7,7 @@ from pathlib import Path
 # A cell that is a verdict: class of the style sheet, text.
 MARKS = {"agrees": ("good", "✓ agrees"), "differs": ("bad", "✗ differs"),
          "met": ("good", "✓ met"), "not met": ("bad", "✗ not met"),
-         "not judged": ("open", "– not judged")}
+         "not judged": ("open", "– not judged"), "no criterion": ("open", "– no criterion")}
 MEDIA = {".svg": "image/svg+xml", ".png": "image/png"}
 LONG_TEXT = 40  # letters from which a cell is kept wide
 DIGITS = 3  # significant ones of a figure
@@ -84,6 +84,6 @@ class Picture:
         return f"data:{MEDIA[self.path.suffix]};base64,{code}"
 
 
-def list_values(values):
-    """Rows of the summary's numbers with units."""
-    return [[name, one["value"], one["unit"]] for name, one in values.items()]
+def list_values(values, words=None):
+    """Rows of the summary's numbers with units, with the words for their names."""
+    return [[(words or {}).get(name, name), one["value"], one["unit"]] for name, one in values.items()]

@@ -1,7 +1,8 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """The first chapter of the report, the main results, and the chapter about their accuracy: for one run, and for a folder of runs."""
+from ..data.labels import HISTORIES, label
 from ..data.naming import describe_pair
-from ..measures.accuracy import MESH_PAGE, NO_ESTIMATE, VARIANTS_PAGE
+from ..measures.accuracy import FREQUENCY_ERROR, LARGEST_FREQUENCY_ERROR, MESH_PAGE, NO_ESTIMATE, VARIANTS_PAGE
 from ..measures.checks import list_checks
 from ..measures.ledger import HEADER, read_ledger
 from ..measures.main_results import list_main_results
@@ -27,9 +28,36 @@ def tell_results(run, plots):
         yield Paragraph(f"{page} explains how to compare two meshes.", "soft")
     yield from tell_farthest(run)
     unmet = [name for name, _, _, verdict in list_checks(run) if verdict == "not met"]
+    yield from tell_resonance(run)
+    yield from tell_ripple(run)
     if unmet:
         yield Paragraph(f"These checks are not met: {'; '.join(unmet)}.", "alarm")
     yield from plots
+
+
+def tell_resonance(run):
+    """The wave resonance nearest to the operating speed; an alarm where the speed is within the error of frequencies."""
+    nearest, distance = run.summary.get("nearest wave"), run.value("distance of the speed of operation from the nearest wave")
+    if nearest:
+        at_resonance = distance is not None and abs(distance) < LARGEST_FREQUENCY_ERROR
+        yield Paragraph(f"Nearest resonance of the loaded pair at mesh orders 1 to 3: {nearest}. "
+                        f"Natural frequencies are {FREQUENCY_ERROR[1]}."
+                        + " The operating speed is at this resonance within the error." * at_resonance, "alarm" if at_resonance else "")
+
+
+def tell_ripple(run):
+    """Both halves of the steady part of a run, and the length that a steady ripple needs."""
+    ripple = run.summary.get("steady part", {}).get("ripple", {})
+    rows = [[label(HISTORIES, name), one["peak to peak of the first half"]["value"], one["peak to peak of the second half"]["value"],
+             one["peak to peak of the first half"]["unit"], 100 * one["largest change"]["value"]]
+            for name, one in ripple.get("columns", {}).items()]
+    if not rows:
+        return
+    needed = run.value("mesh cycles that a steady ripple needs")
+    words = "The ripple (curve minus mean) is steady." if run.is_ripple_steady() else "The ripple (curve minus mean) is still transient."
+    yield Cells(["peak to peak", "first half", "second half", "unit", "largest change [%]"], rows,
+                words + (f" A steady ripple needs at least {needed:.0f} mesh cycles." if needed else "")
+                + " The largest change is that of the peak to peak value or of a mesh harmonic; below 10 % the ripple is steady.")
 
 
 def tell_farthest(folder):
@@ -69,6 +97,6 @@ def tell_study_trust(study, plots):
 
 
 RESULTS = Chapter("Results", tell_results)
-TRUST = Chapter("How far to trust", tell_trust)
+TRUST = Chapter("Accuracy and validity", tell_trust)
 STUDY_RESULTS = Chapter("Results", tell_study_results)
-STUDY_TRUST = Chapter("How far to trust", tell_study_trust)
+STUDY_TRUST = Chapter("Accuracy and validity", tell_study_trust)

@@ -3,8 +3,8 @@
 import numpy as np
 
 from ..data.columns import JUDGED
+from ..data.labels import COMPUTATION, ENERGIES, PARTS_OF_ERROR, label
 from ..data.needs import has_pair, has_probes, has_rim_over_meshes
-from ..measures.accuracy import FREQUENCY_ERROR, LARGEST_FREQUENCY_ERROR
 from ..measures.checks import list_checks
 from ..measures.passages import DURATION_LEVEL_IN_WORDS, find_passages
 from ..measures.periodicity import measure_column
@@ -37,15 +37,11 @@ def tell_case(run, plots):
 def tell_quantities(run, plots):
     rows = [[name, value, unit, remark(run, name)] for name, value, unit in list_quantities(run)]
     marked = any(row[-1] for row in rows)
-    nearest, distance = run.summary.get("nearest wave"), run.stated.get("distance of the speed of operation from the nearest wave")
-    if nearest:
-        at_resonance = distance is not None and abs(distance["value"]) < LARGEST_FREQUENCY_ERROR
-        yield Paragraph(f"Wave resonance of the loaded pair nearest to the operating speed, mesh orders 1 to 3: {nearest}. "
-                        f"Natural frequencies are {FREQUENCY_ERROR[1]}."
-                        + " The operating speed is within this error." * at_resonance, "alarm" if at_resonance else "")
     if run.is_ripple_steady() is False:
-        yield Paragraph(f"The ripple is not steady. {RECORD_ONLY}", "alarm")
+        yield Paragraph(f"The ripple is still transient. {RECORD_ONLY}", "alarm")
     defined = "doc/reference/report.md defines the quantities."
+    if any("rim, largest von Mises stress" in name for name, *_ in rows):
+        defined = f"Stresses of web, rim and hub exclude flanks and fillets. {defined}"
     yield Cells(["quantity", "value", "unit"] + ["remark"] * marked, [row if marked else row[:-1] for row in rows],
                 defined if run.history is None or run.is_equilibrium() else f"{describe_part(run)} {defined}")
     yield Cells(["constraint", "force x [N]", "force y [N]", "force z [N]", "moment x [N mm]", "moment y [N mm]",
@@ -57,8 +53,8 @@ def describe_part(run):
     whole = "Largest values cover the whole run."
     if not run.steady_part():
         return whole
-    return (f"Means and ripples cover the steady part. {whole}" if run.is_steady() else
-            f"Means and ripples cover the last third, because no steady part was found. {whole}")
+    return (f"Means and peak to peak values cover the steady part. {whole}" if run.is_steady() else
+            f"Means and peak to peak values cover the last third, because no steady part was found. {whole}")
 
 
 def is_preloaded(run):
@@ -68,8 +64,9 @@ def is_preloaded(run):
 def tell_transmission_error(run, plots):
     yield from plots
     if plots:
-        yield Cells(["part", "value", "unit"], list_values(run.summary.get("transmission error", {})),
-                    "Parts of the transmission error in the initial equilibrium." if is_preloaded(run) else
+        yield Cells(["part", "value", "unit"], list_values(run.summary.get("transmission error", {}), PARTS_OF_ERROR),
+                    "Parts of the transmission error in the initial equilibrium, before the inertia of the stationary deformation is "
+                    "added. The first value of the run differs from the total by the effect of this inertia." if is_preloaded(run) else
                     "Parts of the transmission error in the equilibrium under full torque. The run reaches this torque after its start.")
 
 
@@ -88,14 +85,17 @@ def tell_spectra(run, plots):
     yield Cells(["history"] + LINES_HEADER, list_other_lines(run), LINES_CAPTION)
     yield Cells(SIDEBANDS_HEADER, list(list_sidebands(run)),
                 "Sidebands one shaft rotation below and above the mesh harmonics (Hann window).")
-    yield Paragraph(describe_resolution(run), "soft")
+    frequency = run.value("torsional mode frequency, estimated")
+    yield Paragraph((f"The estimated natural frequency of the torsional mode is {frequency:.0f} Hz. " if frequency else "")
+                    + describe_resolution(run), "soft")
     found = [(column, measure_column(run, column)) for column in JUDGED]
-    yield Cells(["history", "unit", "mesh cycles", "peak to peak of the mean mesh cycle", "standard deviation about it",
-                 "change, rms", "change, largest", "trend per mesh cycle", "periodic share of the variance [%]"],
+    yield Cells(["history", "unit", "mesh cycles", "peak to peak of the mean mesh cycle", "residual standard deviation",
+                 "cycle-to-cycle change, rms", "largest cycle-to-cycle change", "drift per mesh cycle",
+                 "share of the variance at mesh harmonics [%]"],
                 [[column, run.history.units[column], p.meshes, p.ripple, p.remainder, p.change,
                   p.largest_change, p.trend, 100 * p.periodic_share] for column, p in found if p],
-                "Differences of the mesh cycles. The mean mesh cycle is the periodic part of the ripple. The change is that between "
-                "successive mesh cycles.")
+                "Repetition of the mesh cycles. The mean mesh cycle is the average of all mesh cycles, that is the periodic part. The residual "
+                "is the curve minus the mean mesh cycle. Changes are between successive mesh cycles.")
 
 
 def tell_probes(run, plots):
@@ -126,9 +126,10 @@ def suppress_rounding(table, name):
 
 def tell_rim(run, plots):
     yield from plots
-    yield Cells(["nodal diameters", "direction of travel", "frequency [Hz]", "amplitude [um]"],
+    yield Cells(["nodal diameters", "travelling wave", "frequency [Hz]", "amplitude [um]"],
                 list(list_wave_lines(run)) if has_rim_over_meshes(run) else [],
-                "Strongest lines of the axial waves. Frequencies are in the rotating frame of the gear.")
+                "Strongest lines of the axial vibration. Frequencies and directions are in the rotating frame of the gear: forward waves travel "
+                "with the rotation.")
     if has_rim_over_meshes(run):
         yield Paragraph(describe_resolution(run), "soft")
 
@@ -137,14 +138,14 @@ def tell_energy(run, plots):
     yield from plots
     if run.is_equilibrium():
         return
-    rows = list_values(run.summary.get("energy", {}))
+    rows = list_values(run.summary.get("energy", {}), ENERGIES)
     # A model without a gear pair has few of the parts.
     yield Cells(["energy balance", "value", "unit"], rows if has_pair(run) else [row for row in rows if row[1]])
-    yield Cells(["damped body", "net torque [N m]", "power [W]", "spin at the end minus spin at the start [rpm]"],
+    yield Cells(["damped body", "net torque [N m]", "power [W]", "change of the rotation speed [rpm]"],
                 [[a["body"]] + [a[name]["value"] for name in ("net torque", "power", "drift of rotation speed")]
                  for a in run.summary.get("damping audit", []) if a["net torque"]["value"] or a["power"]["value"]],
-                "Net torque about the axis and power of the damping forces on each body. The spin is the mean of the whole mass, so "
-                "it includes the torsional vibration of the instant.")
+                "Net torque about the axis and power of the damping forces on each body. The rotation speed is the mean of the whole mass, so "
+                "its change from start to end includes the torsional vibration.")
 
 
 def tell_checks(run, plots):
@@ -162,11 +163,11 @@ def tell_computation(run, plots):
     if not statistics:
         return
     # Studies without steps in time have neither them nor a rate.
-    rows = [[name, value["value"], value["unit"]] for name, value in statistics.items()
+    rows = [[label(COMPUTATION, name), value["value"], value["unit"]] for name, value in statistics.items()
             if isinstance(value, dict) and "unit" in value and value["value"]]
-    rows += [[name, value, ""] for name, value in statistics.items() if isinstance(value, int) and value]
+    rows += [[label(COMPUTATION, name), value, ""] for name, value in statistics.items() if isinstance(value, int) and value]
     yield Cells(["", "value", "unit"], rows)
-    yield Cells(["section", "time", "unit"], list_values(statistics.get("timers", {})))
+    yield Cells(["part of the computing time", "time", "unit"], list_values(statistics.get("timers", {}), COMPUTATION))
     origin = [run.summary.get(name, "") for name in ("version", "revision")]
     kernels = f", kernels for {statistics['instruction set']}" if "instruction set" in statistics else ""
     yield Paragraph(f"Program version {origin[0]}, revision {origin[1]}{kernels}.", "soft")

@@ -18,7 +18,7 @@ from .sweep_chapter import tell_sweep, title_sweep
 from .words import FINDINGS, RECORD_ONLY, list_geometry_rows
 
 SHOWN_DIFFERENCES = 6
-RIPPLE_WORDS = {True: "steady", False: "not steady", None: "not judged"}
+RIPPLE_WORDS = {True: "steady", False: "still transient", None: "not judged"}
 
 
 def tell_variants(study, plots):
@@ -71,12 +71,12 @@ def split_geometry(study):
 def tell_unsteady(study):
     """The times that quantities of variants cover without a steady part, or with a ripple that is not steady."""
     runs = [(v.name, v.run) for v in study.variants if v.run.steady_part()]
-    swinging = [name for name, run in runs if not run.is_steady()]
-    if swinging:
-        yield Paragraph(f"These variants have no steady part: {'; '.join(swinging)}. Their means and ripples cover the last third.", "alarm")
+    unsteady = [name for name, run in runs if not run.is_steady()]
+    if unsteady:
+        yield Paragraph(f"These variants have no steady part: {'; '.join(unsteady)}. Their values are for the last third.", "alarm")
     changing = [name for name, run in runs if run.is_ripple_steady() is False]
     if changing:
-        yield Paragraph(f"The ripple of these variants is not steady: {'; '.join(changing)}. {RECORD_ONLY}", "alarm")
+        yield Paragraph(f"The ripple of these variants is still transient: {'; '.join(changing)}. {RECORD_ONLY}", "alarm")
 
 
 def read_parameter(run, name):
@@ -119,8 +119,8 @@ def tell_means(study, plots):
                          periodicity.trend if periodicity else None, statistics["unit"],
                          "steady part" if variant.run.is_steady() else "last third",
                          RIPPLE_WORDS[variant.run.is_ripple_steady()]])
-    yield Cells(["history", "variant", "mean", "peak to peak", "standard deviation",
-                 "trend per mesh cycle", "unit", "part", "ripple"], rows, digits=EXACT)
+    yield Cells(["history", "variant", "mean", "peak to peak of the record", "standard deviation",
+                 "drift per mesh cycle", "unit", "part", "ripple"], rows, digits=EXACT)
 
 
 def tell_periodicity(study, plots):
@@ -128,10 +128,10 @@ def tell_periodicity(study, plots):
              100 * p.periodic_share, variant.run.history.units[column]]
             for column, variant, p in list_measured(study) if p]
     if rows:
-        yield Paragraph("The table compares successive mesh cycles. The periodic share is the part of the variance that repeats every "
+        yield Paragraph("The table compares successive mesh cycles. The share at mesh harmonics is the part of the variance that repeats every "
                         "mesh cycle.")
-        yield Cells(["history", "variant", "mesh cycles", "ripple of the mean mesh cycle",
-                     "change, rms", "change, largest", "periodic share [%]", "unit"], rows)
+        yield Cells(["history", "variant", "mesh cycles", "peak to peak of the mean mesh cycle",
+                     "cycle-to-cycle change, rms", "largest cycle-to-cycle change", "share of the variance at mesh harmonics [%]", "unit"], rows)
 
 
 def tell_lines(study, plots):
@@ -191,7 +191,7 @@ STUDY_CHAPTERS = (
     Chapter("Stresses"),
     Chapter("Motion of the rim"),
     Chapter("The variants", tell_variants),
-    Chapter("Means and ripple", tell_means),
+    Chapter("Means and peak to peak", tell_means),
     Chapter("Periodicity", tell_periodicity),
     Chapter("Lines", tell_lines),
     Chapter("All key figures", tell_quantities))

@@ -25,21 +25,21 @@ def tell_sweep(study, plots):
 
 
 def list_sentences(speeds, beside):
-    """Where the ripple is largest, in the runs and in other models."""
+    """Where the peak to peak value is largest, in the runs and in other models."""
     axis, steady = speeds.axis, find_steady(speeds.axis)
     for column, _ in RIPPLES:
         values = read_ripple(axis, column, "peak to peak")
         if np.any(np.isfinite(values)):
             at = int(np.nanargmax(values))
             unit = axis.variants[at].run.history.units[column]
-            yield (f"The ripple of the {column} is largest at {axis.text(at)}: {values[at]:.4g} {unit} peak to peak at a mesh "
+            yield (f"The peak to peak {column} is largest at {axis.text(at)}: {values[at]:.4g} {unit} at a mesh "
                    f"frequency of {speeds.frequencies[at]:.0f} Hz. It is smallest at {axis.text(int(np.nanargmin(values)))}: "
                    f"{np.nanmin(values):.4g} {unit}.")
     for response in beside.responses:
         table = response.table
         at = int(np.argmax(table["peak to peak dte"]))
         inside = (table["speed"] >= axis.values[0]) & (table["speed"] <= axis.values[-1])
-        text = (f"In the {response.model} the ripple of the dte is largest at {table['speed'][at]:.0f} rpm: "
+        text = (f"In the {response.model} the peak to peak dte is largest at {table['speed'][at]:.0f} rpm: "
                 f"{table['peak to peak dte'][at]:.3g} arcsec at a mesh frequency of {table['mesh frequency'][at]:.0f} Hz.")
         if axis.unit == "rpm" and np.any(inside) and not inside[at]:
             best = int(np.argmax(np.where(inside, table["peak to peak dte"], -1)))

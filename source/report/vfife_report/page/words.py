@@ -1,5 +1,8 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """A case in words: titles, sentences and rows made from the parameters in force."""
+from pathlib import Path
+
+from ..data.labels import GEOMETRY_NAMES, VALUES, label
 from ..data.naming import GEAR, PINION, describe_pair, describe_web, list_unused, name_driven, normalize
 from ..data.parameters import read_given
 from ..data.unused import sweeps_speeds
@@ -18,13 +21,13 @@ ROWS = (("operating speed of the pinion", "Operation/speed"),
         ("start", "Dynamics/start"),
         ("bore of the {driven}", "Operation/bore rotation"),
         ("mass proportional damping", "Dynamics/mass proportional damping"),
-        ("driven speed damping", "Dynamics/driven speed damping"),
-        ("contact: discretization, surface", "Contact/discretization", "Contact/surface"),
+        ("speed controller of the {driven} (driven speed damping)", "Dynamics/driven speed damping"),
+        ("contact points, contact surface", "Contact/discretization", "Contact/surface"),
         ("friction coefficient", "Contact/friction coefficient"),
-        ("element frame, stiffness", "Dynamics/corotational frame", "Dynamics/element type"))
+        ("rotation of an element, element type", "Dynamics/corotational frame", "Dynamics/element type"))
 # Groups of the summary, and what readers call an entry of each.
 FINDINGS = (("input conflicts", "input conflict"), ("warnings", "warning"))
-RECORD_ONLY = "Its values hold for this record; half of the record gives other values."
+RECORD_ONLY = "Its peak to peak values hold for this record only; a longer record gives other values."
 ERRORS = ("Gear pair/Mounting/", "Gear pair/Errors/")
 DESIGNED = ("Gear pair/Mounting/shaft angle", "Gear pair/Mounting/backlash")  # of the table of the geometry
 
@@ -73,24 +76,27 @@ def make_title(run):
 def list_case_rows(run):
     """Name and value of what defines the case, as far as it is known."""
     parameters = run.parameters
+    if run.summary.get("parameter file"):
+        yield "parameter file", Path(run.summary["parameter file"]).name
     # What was derived is in the table of the geometry.
     given = not run.geometry and parameters.get("Gear pair/Proposal/pinion teeth", "0") == "0"
     unused = list_unused(parameters)
     for name, *keys in (BLANK_ROWS if given else ()) + ROWS:
-        values = [describe_damping(parameters) if key == "Dynamics/mass proportional damping" else parameters[key]
+        values = [describe_damping(parameters) if key == "Dynamics/mass proportional damping" else label(VALUES, parameters[key])
                   for key in keys if key in parameters]
         if not all(is_zero(value) for value in values) and not unused.issuperset(keys):
             yield name.format(driven=name_driven(parameters)), ", ".join(values)
     yield from list_sweep_rows(parameters)
     yield from list_error_rows(run)
     mesh = parameters.get("Gear pair/mesh")
-    if mesh and mesh != "by members":
-        yield "mesh", mesh
+    if mesh:
+        yield "mesh", "given by the entries of each member" if mesh == "by members" else mesh
     web = describe_web(parameters)
     if web.startswith("web"):
         body = GEAR + "Body/"
         direction = parameters[body + "web direction"]
-        yield "web", f"{web} to the axis, from the {parameters[body + 'web attachment']}" + f" {direction}" * (direction != "auto")
+        yield "web", (f"conical, {parameters[body + 'web thickness']} thick, at {parameters[body + 'web inclination']} to the gear axis, "
+                      f"joined to the rim at the {parameters[body + 'web attachment']}" + f", {direction}" * (direction != "auto"))
         yield "rim thickness", parameters[body + "rim thickness"]
     elif web:
         yield "gear body", web
@@ -136,12 +142,12 @@ def list_model_rows(run):
 def list_geometry_rows(geometry):
     """Quantity, unit, pinion and gear of a folder's geometry; of the pair itself in the first column."""
     for name, one in geometry["pair"].items():
-        yield [name, one["unit"], one["value"], ""]
+        yield [label(GEOMETRY_NAMES, name), one["unit"], one["value"], ""]
     pinion, gear = geometry["pinion"], geometry["gear"]
     for name, one in pinion.items():
         other = gear.get(name)
         if isinstance(one, dict) and isinstance(other, dict):
-            yield [name, one["unit"], one["value"], other["value"]]
+            yield [label(GEOMETRY_NAMES, name), one["unit"], one["value"], other["value"]]
         else:
             yield [name, "", one, other]
 
@@ -165,7 +171,10 @@ def list_sentences(run):
         yield (f"The driver speed of the {pair[0].lower()}{pair[1:]} changes from {speed[0]:.0f} to {speed[-1]:.0f} rpm within "
                f"{1e3 * time:.4g} ms. The run starts from {describe_start(parameters)} and has no steady part.")
     if "steady part" in summary:
-        text = summary["steady part"]["explanation"]
+        # The ripple has a table of its own.
+        text, of_ripple = summary["steady part"]["explanation"], summary["steady part"].get("ripple", {}).get("explanation")
+        if of_ripple and text.endswith(of_ripple):
+            text = text.removesuffix(of_ripple).rstrip(" .;")
         yield text[0].upper() + text[1:] + "."
 
 

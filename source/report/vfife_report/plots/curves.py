@@ -8,9 +8,10 @@ from .style import COLOURS, add_legend, plt
 # Figures of analyses that belong together, by the ends of their names.
 GROUPS = (("root stresses", ("root tension", "root compression", "root stress range")),
           ("von Mises stresses, largest", ("von Mises largest",)))
+OSCILLATION = ("peak to peak", "peak to peak of the record", "peak to peak of the mean mesh cycle", "standard deviation")
 LINES = ("-", "--", ":")  # where there are more curves than colours
-NOT_DRAWN = ("trend per mesh cycle", "change between mesh cycles (rms)", "periodic share of the variance",
-             "duration of the passage", "contact duration", "contact stress limit (input)")
+NOT_DRAWN = ("drift per mesh cycle", "change between mesh cycles (rms)", "share of the variance at mesh harmonics",
+             "duration of the stress cycle", "contact duration", "contact stress limit (input)")
 
 
 def is_wide(values):
@@ -51,14 +52,14 @@ def split_name(name):
 
 def collect_curves(axis):
     """Panels of curves: title and unit -> curves, name -> values over the axis. Means of a history for
-    themselves, its ripple together, the rest by what the quantities are of."""
+    themselves, sizes of its oscillation together, the rest by what the quantities are of."""
     panels = {}
     for position, variant in enumerate(axis.variants):
         for name, value, unit in list_quantities(variant.run):
             of, what = split_name(name)
             if what.startswith(NOT_DRAWN):
                 continue
-            title = f"{of}, ripple" if what in ("peak to peak", "standard deviation") else \
+            title = f"{of}, oscillation" if what in OSCILLATION else \
                 f"{of}, mean" if what == "mean" else of
             curves = panels.setdefault((title, unit), {})
             curves.setdefault(what, np.full(len(axis.values), np.nan))[position] = value

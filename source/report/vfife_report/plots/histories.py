@@ -4,6 +4,7 @@ import numpy as np
 from matplotlib.patheffects import withStroke
 
 from ..data.columns import CONTACT_FORCE
+from ..data.labels import ENERGY_CURVES
 from ..measures.periodicity import compute_mesh_average
 from .style import COLOURS, GREY, PALE, add_legend, label_ends, plt
 
@@ -25,7 +26,7 @@ def mark_steady_part(run, axes):
         start, end, found = part
         axes.axvspan(1e3 * start, 1e3 * end, color=PALE, zorder=0)
         text = "last third (not steady)" if not found else (
-            "means steady, ripple not steady" if run.is_ripple_steady() is False else "steady part")
+            "means steady, ripple still transient" if run.is_ripple_steady() is False else "steady part")
         axes.annotate(text, (1e3 * start, 1),
                       xycoords=("data", "axes fraction"), xytext=(3, -10),
                       textcoords="offset points", fontsize=8, color=GREY)
@@ -63,7 +64,7 @@ def draw_transmission_error(run):
     axes.set_xlabel("")
     label_ends(axes, [(time[-1], history[name][-1], text, colour)
                             for name, text, colour in curves])
-    below.set(title="Dynamic transmission error minus its mean over the marked part", ylabel="[arcsec]", xlabel="time [ms]")
+    below.set(title="Ripple: dynamic transmission error minus its mean over the marked part", ylabel="[arcsec]", xlabel="time [ms]")
     below.margins(x=0)
     add_legend(below, fontsize=8, ncol=2)
     return plot
@@ -151,7 +152,7 @@ def draw_energies(run):
     for number, name in enumerate(n for n in shown if n in history and np.any(history[n])):
         change = history[name] - history[name][0]
         below.plot(time, change, color=COLOURS[number % len(COLOURS)],
-                   label=name.replace(" energy", ""))
+                   label=ENERGY_CURVES.get(name, name))
     add_legend(below, fontsize=9)
     below.set_ylabel("change since the start [mJ]")
     below.set_title("Changes of the energies")

@@ -16,7 +16,7 @@ def draw_rim_content(run):
     both = measure_waves(run.rim, rows, run.gear_turn(run.rim["time"][rows]))
     plot, panels = plt.subplots(1, 2, figsize=(9, 4))
     numbers = np.arange(both[0].shape[1])
-    for axes, values, title in zip(panels, both, ("stationary in the fixed frame", "remainder, rms")):
+    for axes, values, title in zip(panels, both, ("static part in the fixed frame", "vibration, rms")):
         for k, component in enumerate(COMPONENTS):
             axes.plot(numbers, values[k], "o-", markersize=4, color=COLOURS[k + 1],
                       label=COMPONENTS[component])
@@ -32,8 +32,8 @@ def draw_rim_history(run):
     for n in range(min(SHOWN_HISTORIES, count_diameters(run.rim)) + 1):
         time, rest = find_axial_rest(run, n)
         axes.plot(1e3 * time, rest.real if n == 0 else np.abs(rest), color=COLOURS[n % len(COLOURS)],
-                  label=f"{n} diameter{'s' * (n != 1)}")
-    axes.set(title="Axial waves of the rim without the stationary part (0 diameters: with sign)",
+                  label=f"{n} nodal diameter{'s' * (n != 1)}")
+    axes.set(title="Axial vibration of the rim (0 nodal diameters: signed displacement, others: wave amplitude)",
              xlabel="time [ms]", ylabel="amplitude [um]")
     axes.margins(x=0)
     add_legend(axes, ncol=3, fontsize=9)

@@ -47,7 +47,7 @@ def draw_contact_pattern(run):
     for axes, body in zip(all_axes[0], bodies):
         shades = plot_pattern(axes, run, body)
         axes.set_title(body)
-    plot.colorbar(shades, ax=list(all_axes[0]), label="pressure over largest pressure", ticks=np.linspace(0, 1, 6), shrink=0.7)
+    plot.colorbar(shades, ax=list(all_axes[0]), label="nodal pressure over its largest value", ticks=np.linspace(0, 1, 6), shrink=0.7)
     return plot
 
 
@@ -63,7 +63,7 @@ def draw_contact_patterns(study):
             axes.set_title(f"{body}, {variant.name}")
             if variant is not variants[-1]:
                 axes.set_xlabel("")
-    plot.colorbar(shades, ax=all_axes.ravel().tolist(), label="pressure over largest pressure", ticks=np.linspace(0, 1, 6), shrink=0.5)
+    plot.colorbar(shades, ax=all_axes.ravel().tolist(), label="nodal pressure over its largest value", ticks=np.linspace(0, 1, 6), shrink=0.5)
     return plot
 
 
@@ -94,7 +94,7 @@ def draw_load_sharing(run):
                    label=f"{pair}, Hertzian pressure")
     above.set_ylabel("share of the contact force")
     above.set_ylim(bottom=0)
-    above.set_title("Share of each tooth pair, shifted to the position of the first")
+    above.set_title("Share of each tooth pair, superposed by whole tooth pitches")
     below.set_ylabel("pressure [MPa]")
     below.set_title("Largest Hertzian pressure of each tooth pair")
     below.set_ylim(bottom=0)
@@ -117,8 +117,8 @@ def draw_tooth_engagement(run):
     below.plot(meshes, teeth["hertz pressure"][rows], color=COLOURS[1], label="Hertzian pressure")
     allowed = find_allowed_pressure(run)
     if allowed:
-        below.axhline(allowed, color=GREY, linestyle=":", label="allowed")
-        below.annotate("allowed", (0, allowed), xytext=(3, 3), textcoords="offset points", fontsize=8, color=GREY)
+        below.axhline(allowed, color=GREY, linestyle=":", label="contact stress limit (input)")
+        below.annotate("contact stress limit (input)", (0, allowed), xytext=(3, 3), textcoords="offset points", fontsize=8, color=GREY)
     below.set_title("Largest Hertzian pressure under this force, inside the flanks")
     below.set_ylabel("contact pressure [MPa]")
     below.set_xlabel("mesh cycles since the first contact")

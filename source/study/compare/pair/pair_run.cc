@@ -79,7 +79,7 @@ namespace vfife
   PairRun::judge_slow_ripple(const double tolerance, ComparisonRow &row, const double swing) const
   {
     if (is_ripple_unsteady_)
-      row.reason += "; the run's ripple is not steady";
+      row.reason += "; the run's ripple is still transient";
     else
       judge_slow(tolerance, row, swing);
   }
