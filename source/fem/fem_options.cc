@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/number_list.h>
+#include <vfife/base/process/log.h>
 #include <vfife/fem/fem_options.h>
 
 #include <algorithm>
@@ -21,18 +22,30 @@ namespace vfife
 
     void declare_elements(FemOptions &options, dealii::ParameterHandler &prm)
     {
-      declare_choice(prm,
-                     "element type",
-                     options.element,
-                     fem_element_choices(),
-                     "Element type: 8 nodes with incompatible modes; 8 nodes with full integration "
-                     "(locks in bending); quadratic (27 nodes); cubic (64 nodes)");
+      std::vector<std::string> words = {"auto"};
+      for (const auto &choice : fem_element_choices())
+        words.push_back(choice.first);
+      declare_choice(
+        prm,
+        "element type",
+        words,
+        words.front(),
+        [&options](const unsigned int i) {
+          options.chooses_elements = i == 0;
+          if (i > 0)
+            options.element = fem_element_choices()[i - 1].second;
+        },
+        "Element type: 8 nodes with incompatible modes; 8 nodes with full integration (locks in "
+        "bending); quadratic (27 nodes); cubic (64 nodes). auto: quadratic on the exact surfaces "
+        "where one sector of each body is factorized (loaded tooth contact analysis without "
+        "bearings and coupled modes and with at most 50000 elements, modal analysis with cyclic "
+        "symmetry), otherwise incompatible modes");
       declare_choice(prm,
                      "geometry",
                      options.geometry,
                      fem_geometry_choices(),
                      "Geometry of quadratic and cubic elements: straight edges, or edges and faces "
-                     "on the exact surfaces");
+                     "on the exact surfaces (element type auto)");
       declare_names(
         prm,
         "local refinement",
@@ -158,13 +171,25 @@ namespace vfife
       throw InputError(section + "/geometry",
                        "expected straight, got curved: elements with 8 nodes have straight edges. "
                        "Set " +
-                         section + "/element = quadratic or cubic.");
+                         section + "/element type = quadratic or cubic.");
     if (eigen_solver == EigenSolverKind::lobpcg && eigen_tolerance > loosest_of_lobpcg)
       throw InputError(section + "/eigenvalue tolerance",
                        "must be at most 1e-5 with \"lobpcg\", whose residuals are up to thousands "
                        "of times larger for the mode itself");
     if (coriolis && eigen_solver == EigenSolverKind::lobpcg)
       throw InputError(section + "/coriolis", "requires the eigenvalue solver \"shift-invert\"");
+  }
+
+  void FemOptions::choose_elements(const bool afford, Log &log)
+  {
+    if (!chooses_elements)
+      return;
+    element = afford ? FemElement::quadratic : FemElement::incompatible_modes;
+    if (afford)
+      geometry = FemGeometry::curved;
+    log.line("Fem/element type = auto: ",
+             afford ? "quadratic elements on the exact surfaces"
+                    : "8-node elements with incompatible modes");
   }
 
   FemOptions make_fem_options(const StiffnessKind stiffness)

@@ -31,14 +31,14 @@ namespace vfife
     declare_names_of_gauges(prm);
     const Subsection             subsection(prm, section);
     const Choices<RecordedTeeth> words = {{"none", RecordedTeeth::none},
-                                          {"in mesh", RecordedTeeth::in_mesh},
+                                          {"in contact", RecordedTeeth::in_contact},
                                           {"named", RecordedTeeth::named},
                                           {"all", RecordedTeeth::all}};
     declare_choice(prm,
                    "teeth",
                    teeth,
                    words,
-                   "Teeth whose root stresses are recorded. in mesh: teeth in contact and one "
+                   "Teeth whose root stresses are recorded. in contact: teeth in contact and one "
                    "more on each side; named: those of named teeth");
     const Choices<FilletSource> sources = {{"submodel", FilletSource::submodel},
                                            {"elements", FilletSource::elements}};

@@ -240,7 +240,7 @@ class Pages(unittest.TestCase):
                               "contact pressure (Hertz), largest"):
                     self.assertIn(f">{words}</td>", first)
                 self.assertLessEqual(first.count("<tr>"), 6)
-                self.assertEqual("<td>ripple still transient; peak to peak of the mean mesh cycle" in first.replace('<td class="long">', "<td>"), not steady)
+                self.assertEqual("<td>do not quote: still transient; the mean mesh cycle has" in first.replace('<td class="long">', "<td>"), not steady)
                 self.assertEqual("ripple, first half against second half" in first[first.index("These checks are not met"):], not steady)
                 trust = text[text.index(">Accuracy and validity</h2>"):]
                 row = trust[trust.index("peak to peak of transmission error and forces"):].split("</tr>")[0]

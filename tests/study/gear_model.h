@@ -3,8 +3,10 @@
 #define vfife_tests_study_gear_model_h
 
 #include <vfife/base/parameters/parameter_file.h>
+#include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
+#include <vfife/fem/fem_options.h>
 #include <vfife/study/cases/gear_case.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -13,13 +15,16 @@
 #include <sstream>
 #include <string>
 
-/** The model that studies make of a parameter file with sections of a gear pair alone. */
+/** The model that studies make of a parameter file with sections of a gear pair, and elements of
+ * conventional analyses. */
 inline vfife::Model make_gear_model(const std::string &path, const vfife::Communicator &world)
 {
   const vfife::ParameterFile file(path);
   dealii::ParameterHandler   prm;
   vfife::GearCase            gears;
+  vfife::FemOptions          fem;
   gears.declare(prm, file);
+  vfife::declare_section(prm, "Fem", fem);
   file.read(prm);
   std::ostringstream nothing;
   vfife::Log         log(nothing, world.is_root(), vfife::Verbosity::quiet);

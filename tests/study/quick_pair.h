@@ -15,7 +15,8 @@
 #include <string>
 #include <vector>
 
-/** The paper's pair on meshes as coarse as they go, with entries of the gear's body and mesh. Three
+/** The paper's pair on meshes as coarse as they go, with entries of the gear's body and mesh. All
+ * kinds have the elements of a run, so that they are compared on equal bodies. Three
  * points per facet: by its width the contact would have twelve, which takes three times as long. */
 inline std::string coarse_pair(const std::string &gear_body, const std::string &gear_mesh)
 {

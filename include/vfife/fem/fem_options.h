@@ -16,6 +16,8 @@ namespace dealii
 
 namespace vfife
 {
+  class Log;
+
   enum class LinearSolverKind
   {
     multigrid, ///< conjugate gradients with algebraic multigrid
@@ -31,6 +33,7 @@ namespace vfife
   /** Section Fem. */
   struct FemOptions : FemSpaceOptions
   {
+    bool             chooses_elements = true; ///< element type auto: choose_elements()
     MassKind         mass             = MassKind::consistent;
     StrainMeasure    strain           = StrainMeasure::biot;
     LinearSolverKind linear_solver    = LinearSolverKind::multigrid;
@@ -55,6 +58,10 @@ namespace vfife
     /** Throws InputError when entries contradict each other, or for a local refinement that is
      * none. */
     void check(const std::string &section) const;
+
+    /** Elements of element type auto: curved quadratic ones where an analysis can @p afford them,
+     * else 8-node elements. */
+    void choose_elements(bool afford, Log &log);
 
     /** Declares the entries in the section entered. */
     void declare(dealii::ParameterHandler &prm);

@@ -17,8 +17,8 @@ namespace vfife
   enum class RecordedTeeth
   {
     none,
-    in_mesh, ///< those in contact and one beside them on either side
-    named,   ///< FilletOptions::read_named_teeth()
+    in_contact, ///< those in contact and one beside them on either side
+    named,      ///< FilletOptions::read_named_teeth()
     all
   };
 

@@ -46,6 +46,7 @@ namespace vfife
        {{"rigid hub", "rigid"}, {"free rotation", "per node"}}},
       {"Operation", "allowed contact pressure", "contact stress limit", {}},
       {"Dynamics", "start", "start", {{"steady swing", "steady torsional vibration"}}},
+      {"Fillets", "teeth", "teeth", {{"in mesh", "in contact"}}},
       {"Lumped", "arm", "lever arm", {}},
       {"Dynamics", "damping", "mass proportional damping", {}},
       {"Dynamics", "mesh damping", "driven speed damping", {}},

@@ -219,9 +219,11 @@ namespace vfife
           continue;
         std::ostringstream text;
         set_figure_digits(text, 3);
-        text << "contact " << pair->definition.side << ": after impacts a penalty of "
-             << pair->contact.penalty() << " N/mm^3 oscillates at the step of " << 1e9 * dt
-             << " ns. Choose a penalty below " << pair->contact.penalty() / rattling << " N/mm^3";
+        text << "contact " << pair->definition.side
+             << ": after a loss of contact, points stiffer than "
+             << pair->contact.penalty() / rattling << " N/mm^3 oscillate at the step of "
+             << 1e9 * dt << " ns; the stiffest point has " << pair->contact.penalty()
+             << " N/mm^3. A smaller Contact/penalty avoids this";
         sentences.push_back(text.str());
       }
     return sentences;

@@ -145,7 +145,7 @@ namespace vfife
     if (teeth_ == RecordedTeeth::all)
       for (unsigned int tooth = 0; tooth < z; ++tooth)
         recorded.insert(tooth);
-    if (teeth_ == RecordedTeeth::in_mesh)
+    if (teeth_ == RecordedTeeth::in_contact)
       for (const ToothContact &contact : teeth)
         for (const ContactPair &pair : model_.contacts)
           if (pair.side == contact.side)

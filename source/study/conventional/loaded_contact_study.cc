@@ -161,6 +161,16 @@ namespace vfife
       void
       write(const Model &model, Recorders &recorders, const OutputFolder &folder, Log &log) const;
 
+      /** Whether one sector of each body is factorized, on a mesh that is not fine by itself. */
+      bool can_afford_quadratic(const Model &model) const
+      {
+        constexpr std::size_t most_elements = 50000;
+        std::size_t           n             = 0;
+        for (const Body &body : model.bodies)
+          n += body.n_elements();
+        return options_.coupled_modes == 0 && model.bearings.empty() && model.couplings.empty() &&
+               n <= most_elements;
+      }
       unsigned int n_pressure_cells() const
       {
         // Nodal forces of coarse flanks change root stresses by up to a fifth.
@@ -267,6 +277,9 @@ namespace vfife
     for (unsigned int member = 0; member < model.bodies.size(); ++member)
       summary.figures.push_back({figure_name::torque_of(model.bodies[member].name()),
                                  {1e-3 * gear_case_.torque_on(member), "N m"}});
+    fem_.choose_elements(can_afford_quadratic(model), log);
+    summary.figures.push_back(
+      {figure_name::degree_of_elements, {double(degree_of(fem_.element)), "-"}});
     summary.contradictions = gear_case_.report_checks({&model}, log);
     summary.cause          = gear_case_.find_cause();
     const auto begin       = WallClock::now();

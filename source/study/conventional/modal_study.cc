@@ -14,6 +14,7 @@
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/output/files/mode_writer.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/result_places.h>
 #include <vfife/output/files/table_writer.h>
 #include <vfife/output/output_options.h>
 #include <vfife/output/pictures.h>
@@ -121,6 +122,9 @@ namespace vfife
     const Model model   = make_model(log);
     RunSummary  summary = start_summary("modal", model, folder);
     const auto  start   = WallClock::now();
+    fem_.choose_elements(fem_.cyclic_symmetry, log);
+    summary.figures.push_back(
+      {figure_name::degree_of_elements, {double(degree_of(fem_.element)), "-"}});
     folder.make_subfolder("modes");
     for (const unsigned int b : find_chosen_bodies(fem_, model))
       solve_body(model, b, folder, log);

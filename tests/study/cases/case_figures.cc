@@ -33,6 +33,8 @@ namespace
     dealii::ParameterHandler prm;
     GearCase                 gears;
     gears.declare(prm, file);
+    FemOptions fem;
+    declare_section(prm, "Fem", fem);
     file.read(prm);
     for (const double stable : {100e-9, 93e-9, 57.3e-9})
       {

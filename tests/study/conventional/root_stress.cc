@@ -150,7 +150,7 @@ namespace
   /** Those in mesh have the same rows; none have none. */
   void check_choices(Communicator &world)
   {
-    run_pair("root_stress.prm", "root_stress_in_mesh", world, {"Fillets/teeth=in mesh"});
+    run_pair("root_stress.prm", "root_stress_in_mesh", world, {"Fillets/teeth=in contact"});
     const Table all = read_result_table("root_stress_results/root_stress.csv"),
                 few = read_result_table("root_stress_in_mesh/root_stress.csv");
     std::set<std::string> rows;
@@ -225,7 +225,7 @@ namespace
       << "subsection Study\n set kind = sweep\nend\n"
          "subsection Sweep\n set base = root_stress.prm\n set report = no\n"
          " set parameters = torque\n"
-         " set entries = Study/kind = reduced; Fillets/teeth = in mesh; Output/samples per mesh "
+         " set entries = Study/kind = reduced; Fillets/teeth = in contact; Output/samples per mesh "
          "cycle = 50\n"
          " subsection Parameter torque\n  set entry = Operation/torque\n"
          "  set values = 800 N m\n end\nend\n";
@@ -266,9 +266,9 @@ int main(int argc, char **argv)
   check_sections();
   check_gauge();
   check_choices(session.world());
-  check_run({"Study/kind=run", "Fillets/teeth=in mesh", "Output/field output interval=0"},
+  check_run({"Study/kind=run", "Fillets/teeth=in contact", "Output/field output interval=0"},
             session.world());
-  check_run({"Study/kind=reduced", "Fillets/teeth=in mesh", "Output/samples per mesh cycle=50"},
+  check_run({"Study/kind=reduced", "Fillets/teeth=in contact", "Output/samples per mesh cycle=50"},
             session.world());
   check_sweep(session.world());
   check_refusals(session.world());

@@ -117,6 +117,7 @@ namespace
                                                {"Operation/bore rotation=per node",
                                                 "Fem/speeds=0",
                                                 "Fem/cyclic symmetry=yes",
+                                                "Fem/element type=incompatible modes",
                                                 "Fem/modes=3",
                                                 "Output/report=no"},
                                                world) +
@@ -233,6 +234,7 @@ namespace
             0,
             read_columns(do_case("prm/fem/loaded_spiral_bevel_quick.prm",
                                  {"Gear pair/Gear/Body/body type=rim only",
+                                  "Fem/element type=incompatible modes",
                                   "Loaded contact/positions=1",
                                   three_points,
                                   quick_penalty},

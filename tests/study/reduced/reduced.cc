@@ -465,7 +465,7 @@ namespace
     refuse("Reduced/cutof frequency", "3 kHz");
     // Of sweeps over speed.
     const std::vector<std::vector<std::string>> refused = {
-      {"Fillets/teeth=in mesh"},
+      {"Fillets/teeth=in contact"},
       {"Fillets/gauges=G"},
       {"Reduced/settling decay times=3", "Dynamics/mass proportional damping=0"}};
     for (std::vector<std::string> entries : refused)

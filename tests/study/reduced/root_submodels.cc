@@ -88,7 +88,7 @@ int main(int argc, char **argv)
 {
   MpiSession                     session(argc, argv);
   Communicator                   world(MPI_COMM_WORLD);
-  const std::vector<std::string> submodels = {"Fillets/teeth=in mesh",
+  const std::vector<std::string> submodels = {"Fillets/teeth=in contact",
                                               "Fillets/source=submodel",
                                               "Fillets/submodel elements along face width=4"};
   do_case("run", "run", gauge_of_gear, submodels, world);
@@ -102,7 +102,7 @@ int main(int argc, char **argv)
   do_case("loaded tooth contact analysis",
           "elements",
           gauge_of_gear,
-          {"Fillets/teeth=in mesh",
+          {"Fillets/teeth=in contact",
            "Loaded contact/positions=1",
            "Loaded contact/pressure cells=0"},
           world);

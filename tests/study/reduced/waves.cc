@@ -452,7 +452,7 @@ end
     refuse("Waves/speed offsets", "0, 60 %, 1 %");
     refuse("Waves/speed offsets", "0, 1 %, 1 %");
     refuse("Waves/diameter", "3");
-    refuse("Fillets/teeth", "in mesh");
+    refuse("Fillets/teeth", "in contact");
     refuse("Fillets/teeth", "named");
     refuse("Dynamics/mass proportional damping", "0");
     refuse("Operation/driving member", "gear");

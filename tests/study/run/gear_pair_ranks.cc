@@ -30,7 +30,7 @@ namespace
         std::ofstream("ranks.prm")
           << quick_pair("set body type = rim only", "set elements through rim = 2", "1e-5")
           << "subsection Contact\n set integration = " << integration << "\nend\n"
-          << "subsection Fillets\n set teeth = in mesh\nend\n"
+          << "subsection Fillets\n set teeth = in contact\nend\n"
           << "subsection Pressure\n set instants = 0, 0.1\n set pressure cells = 6\nend\n"
           << more;
         Communicator alone(MPI_COMM_SELF);

@@ -78,6 +78,8 @@ namespace vfife
     constexpr char spring_error[]         = "transmission error by the contact points";
     constexpr char spring_force[]         = "contact force by the contact points";
 
+    constexpr char degree_of_elements[] = "degree of the finite elements";
+
     /** Of Contact/penalty elements = quadratic. */
     constexpr char reference_error[] = "mean transmission error at rest, quadratic elements";
 

@@ -3,7 +3,7 @@
 from itertools import islice
 
 from ..data.columns import CONTACT_FORCE, TRANSMISSION_ERROR
-from .accuracy import AT_CORNERS, GRID_ERROR, INSIDE, MEAN_ERROR, RIPPLE_ERROR, describe_root, find_degree
+from .accuracy import AT_CORNERS, CALIBRATED_ERROR, GRID_ERROR, INSIDE, MEAN_ERROR, RIPPLE_ERROR, describe_root, find_degree
 from .kind_results import (list_contact_results, list_frequencies, list_lumped_results, list_mesh_results, list_model_results,
                            list_order_results, list_speed_results, list_wave_results)
 from .kinds import find_kind
@@ -16,17 +16,17 @@ REFERENCE_ERROR = "mean transmission error at rest, quadratic elements"
 
 def describe_ripple(run, quantity, column):
     """For a run: whether it is steady in time, the value of the mean mesh cycle, and the noise of the contact points."""
-    words = {True: "ripple steady", False: "ripple still transient", None: "ripple not judged"}[run.is_ripple_steady()]
+    words = {True: "steady", False: "do not quote: still transient", None: "not judged: less than two mesh cycles"}[run.is_ripple_steady()]
     part = run.summary.get("figures", {}).get(f"{quantity} by the contact points")
     periodic = measure_column(run, column)
-    return (words + (f"; peak to peak of the mean mesh cycle {periodic.ripple:.3g} {run.history.units[column]}" if periodic else "")
-            + "; mesh error unknown with one mesh"
+    return (words + (f"; the mean mesh cycle has {periodic.ripple:.3g} {run.history.units[column]}" if periodic else "")
+            + "; error by the finite element mesh: compare two meshes"
             + (f"; numerical noise by contact points {part['value']:.2g} {part['unit']}" if part else ""))
 
 
 def describe_mean(run):
     """For a run: its penalty may give it the mean of quadratic elements."""
-    return MEAN_ERROR[2 if REFERENCE_ERROR in run.summary.get("figures", {}) else 1]
+    return CALIBRATED_ERROR if REFERENCE_ERROR in run.summary.get("figures", {}) else MEAN_ERROR[1]
 
 
 def list_run_results(run):

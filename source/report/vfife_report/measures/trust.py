@@ -39,7 +39,7 @@ def trust_stresses(run, degree):
     if run.has_file("pressure.csv"):
         yield ["contact pressure on the own grid", "", f"inside the flanks {GRID_ERROR}; at edges unbounded", "doc/verification/contact.md"]
     recorded = run.has_file("root_stress.csv") or any("root" in name for name in (*run.stated, *run.summary.get("figures", {})))
-    yield ["root stress", "", describe_root(run, degree) if recorded else "not recorded: set Fillets/teeth = in mesh",
+    yield ["root stress", "", describe_root(run, degree) if recorded else "not recorded: set Fillets/teeth = in contact",
            "doc/how-to/root-stress.md"]
     yield ["stress of web, rim and hub", "", "converged away from sharp corners, where it is unbounded", LIMITS_PAGE]
 
