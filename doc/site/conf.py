@@ -37,6 +37,7 @@ mathjax2_config = {"CommonHTML": {"linebreaks": {"automatic": True}}, "messageSt
                    "tex2jax": {"processClass": "math"}}  # MyST tells MathJax to leave all else alone
 myst_update_mathjax = False
 pygments_style = "friendly"
+highlight_language = "none"
 
 
 class ParameterFile(RegexLexer):

@@ -301,6 +301,46 @@ namespace
     compare_row("tension of the web at the hub", {"gear hub fillet tension"});
   }
 
+  /** The coarse reference pair at speed by reduced bodies, and what the page of the mesh says. */
+  void at_speed(Communicator &world)
+  {
+    const auto            row     = row_of(pair_page, "### Elements at speed", "as the run");
+    const std::string     folder  = do_case("prm/reduced/spiral_bevel_quick.prm",
+                                       {"Operation/mesh cycles=40", "Output/report=no"},
+                                       world);
+    const Columns         history = read_columns(folder + "history.csv");
+    const nlohmann::json  figures = read_json(folder + "summary.json").at("figures");
+    constexpr double      begin   = 30. / 9000.; // of the last ten mesh cycles [s]
+    std::array<double, 2> error = {{1e9, -1e9}}, force = error;
+    double                sum   = 0;
+    std::size_t           n     = 0;
+    const auto            widen = [](std::array<double, 2> &range, const double value) {
+      range = {{std::min(range[0], value), std::max(range[1], value)}};
+    };
+    for (std::size_t i = 0; i < history.at("time").size(); ++i)
+      if (history.at("time")[i] > begin)
+        {
+          widen(error, history.at("dte")[i]);
+          widen(force, history.at("contact force total")[i]);
+          sum += history.at("dte")[i];
+          ++n;
+        }
+    compare(
+      "at rest [arcsec]",
+      row[1],
+      0,
+      figures.at("mean transmission error at rest, quadratic elements").at("value").get<double>());
+    compare("mean [arcsec]", row[2], 0, sum / n);
+    compare("peak to peak [arcsec]", row[2], 1, error[1] - error[0]);
+    compare("contact force, peak to peak [N]", row[3], 0, force[1] - force[0]);
+    const auto by_default = [](const std::string &beginning) {
+      return row_of(default_page, "Further results", beginning)[1];
+    };
+    compare("page of the mesh: mean [arcsec]", by_default("mean at 20,000 rpm"), 0, sum / n);
+    compare("peak to peak [arcsec]", by_default("peak to peak at"), 0, error[1] - error[0]);
+    compare("force [N]", by_default("sum of the contact forces"), 0, force[1] - force[0]);
+  }
+
   /** The equilibrium before the run of the coarse reference pair, with and without its web. */
   void paper_pair(Communicator &world)
   {
@@ -363,5 +403,6 @@ int main(int argc, char **argv)
                     bars_and_beams,
                     loaded_pair,
                     default_errors,
+                    at_speed,
                     paper_pair});
 }

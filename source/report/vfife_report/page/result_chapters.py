@@ -46,7 +46,7 @@ def tell_resonance(run):
             highest, lowest = (speed / (1 + excess / 100) for excess in FREQUENCY_EXCESS)
             words += (f" Frequencies of 8-node elements are 1 to 3 % too high on the reference pair, so expect this resonance between "
                       f"{lowest:.0f} and {highest:.0f} rpm.")
-        yield Paragraph(words + " The operating speed is within this error of the resonance." * at_resonance,
+        yield Paragraph(words + " Treat the operating speed as near this resonance." * at_resonance,
                         "alarm" if at_resonance else "")
 
 
