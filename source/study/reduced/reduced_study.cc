@@ -8,6 +8,7 @@
 #include <vfife/lumped/speed_sweep.h>
 #include <vfife/output/files/checkpoint.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/result_places.h>
 #include <vfife/output/observers/bearing_writer.h>
 #include <vfife/output/observers/history_writer.h>
 #include <vfife/output/observers/progress_line.h>
@@ -421,6 +422,8 @@ namespace vfife
       NamedFigures at_start =
         find_start_stresses(model, fem(), settled.compliance.get(), communicator, log);
       at_start.insert(at_start.end(), settled.figures.begin(), settled.figures.end());
+      at_start.push_back(
+        {figure_name::degree_of_elements, {double(degree_of(fem().element)), "-"}});
       if (is_motion())
         {
           const NamedFigures damping = list_damping(dynamics_, &*model.transmission, log);

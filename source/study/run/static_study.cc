@@ -6,6 +6,7 @@
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/dynamics/equilibrium/relaxation.h>
 #include <vfife/dynamics/operator/mass_scaling.h>
+#include <vfife/fem/system/fem_space.h>
 #include <vfife/model/observer.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/observers/field_writer.h>
@@ -20,7 +21,6 @@
 #include <vfife/study/study_kinds.h>
 #include <vfife/study/turning_axes.h>
 
-#include <numeric>
 
 namespace vfife
 {
@@ -89,10 +89,10 @@ namespace vfife
 
   Model StaticStudy::make_model(Log &log) const
   {
-    Model                     model = case_.make_model(log);
-    std::vector<unsigned int> bodies(model.bodies.size());
-    std::iota(bodies.begin(), bodies.end(), 0u);
-    refuse_standing_loads(model, bodies, "Set the speed of the body to 0, or use kind = run");
+    Model model = case_.make_model(log);
+    refuse_standing_loads(model,
+                          all_bodies(model),
+                          "Set the speed of the body to 0, or use kind = run");
     scale_masses(dynamics_, model, log);
     return model;
   }

@@ -2,7 +2,7 @@
 """The first chapter of the report, the main results, and the chapter about their accuracy: for one run, and for a folder of runs."""
 from ..data.labels import HISTORIES, label
 from ..data.naming import describe_pair
-from ..measures.accuracy import FREQUENCY_EXCESS, MESH_PAGE, NO_ESTIMATE, VARIANTS_PAGE
+from ..measures.accuracy import FREQUENCY_ERROR, FREQUENCY_EXCESS, MESH_PAGE, NO_ESTIMATE, VARIANTS_PAGE, find_degree
 from ..measures.checks import list_checks
 from ..measures.ledger import HEADER, read_ledger
 from ..measures.main_results import list_main_results
@@ -40,12 +40,13 @@ def tell_resonance(run):
     nearest, speed = run.summary.get("nearest wave"), run.value("speed of the nearest wave")
     distance = run.value("distance of the speed of operation from the nearest wave")
     if nearest:
-        at_resonance = distance is not None and abs(distance) < max(FREQUENCY_EXCESS)
+        degree = find_degree(run)
+        excess = FREQUENCY_EXCESS[degree]
+        at_resonance = distance is not None and abs(distance) < max(excess)
         words = f"Nearest resonance of the loaded pair at mesh orders 1 to 3: {nearest}."
         if speed:
-            highest, lowest = (speed / (1 + excess / 100) for excess in FREQUENCY_EXCESS)
-            words += (f" Frequencies of 8-node elements are 1 to 3 % too high on the reference pair, so expect this resonance between "
-                      f"{lowest:.0f} and {highest:.0f} rpm.")
+            highest, lowest = (speed / (1 + one / 100) for one in excess)
+            words += f" Frequencies are {FREQUENCY_ERROR[degree]}, so expect this resonance between {lowest:.0f} and {highest:.0f} rpm."
         yield Paragraph(words + " Treat the operating speed as near this resonance." * at_resonance,
                         "alarm" if at_resonance else "")
 
