@@ -66,6 +66,30 @@ namespace vfife
                      "as in explicit dynamics; green: Green-Lagrange strain, as in most other "
                      "programs");
     }
+
+    void declare_sectors(FemOptions &options, dealii::ParameterHandler &prm)
+    {
+      declare_choice(
+        prm,
+        "cyclic symmetry",
+        std::vector<std::string>({"auto", "yes", "no"}),
+        "auto",
+        [&options](const unsigned int i) {
+          options.chooses_sectors = i == 0;
+          options.cyclic_symmetry = i == 1;
+        },
+        "Models one sector (tooth) per body and computes the modes by nodal diameter. yes: "
+        "Fem/modes is the number of modes per nodal diameter, up to maximum nodal diameter; auto: "
+        "one sector where all sectors of each body are equal and held equally, without loads, "
+        "springs, bearings and couplings; Fem/modes is the number of modes per body, of as many "
+        "nodal diameters as have them; no: the whole body");
+      declare_integer(prm,
+                      "maximum nodal diameter",
+                      options.largest_diameter,
+                      "Maximum nodal diameter with cyclic symmetry = yes",
+                      0,
+                      10000);
+    }
   } // namespace
 
   void FemOptions::declare(dealii::ParameterHandler &prm)
@@ -119,17 +143,7 @@ namespace vfife
                    coriolis,
                    "Includes Coriolis forces, which split the modes of a rotating body into "
                    "forward and backward waves");
-    declare_switch(prm,
-                   "cyclic symmetry",
-                   cyclic_symmetry,
-                   "Models one sector (tooth) per body and computes the modes by nodal diameter");
-    declare_integer(prm,
-                    "maximum nodal diameter",
-                    largest_diameter,
-                    "Maximum nodal diameter, with cyclic symmetry; Fem/modes is then the number "
-                    "of modes per nodal diameter",
-                    0,
-                    10000);
+    declare_sectors(*this, prm);
     declare_integer(prm,
                     "mesh harmonics",
                     mesh_orders,
@@ -178,6 +192,14 @@ namespace vfife
                        "of times larger for the mode itself");
     if (coriolis && eigen_solver == EigenSolverKind::lobpcg)
       throw InputError(section + "/coriolis", "requires the eigenvalue solver \"shift-invert\"");
+  }
+
+  void FemOptions::choose_sectors(const bool can, Log &log)
+  {
+    if (!chooses_sectors)
+      return;
+    cyclic_symmetry = lowest_of_body = can;
+    log.line("Fem/cyclic symmetry = auto: ", can ? "one sector of each body" : "whole bodies");
   }
 
   void FemOptions::choose_elements(const bool afford, Log &log)

@@ -47,7 +47,9 @@ namespace vfife
     std::vector<std::string> speeds    = {"0"}; ///< of the bodies about their axes, with units
     bool                     hold_hubs = false; ///< hubs that turn freely are held instead
     bool                     coriolis  = false;
+    bool                     chooses_sectors  = true;  ///< cyclic symmetry auto: choose_sectors()
     bool                     cyclic_symmetry  = false; ///< one sector instead of the whole body
+    bool                     lowest_of_body   = false; ///< with one sector: not of each diameter
     bool                     distributed      = false; ///< the mesh is distributed to the ranks
     unsigned int             largest_diameter = 8;     ///< of nodal diameters, with one sector
     unsigned int             mesh_orders      = 3; ///< multiples of the mesh frequency looked at
@@ -58,6 +60,10 @@ namespace vfife
     /** Throws InputError when entries contradict each other, or for a local refinement that is
      * none. */
     void check(const std::string &section) const;
+
+    /** With cyclic symmetry auto: one sector of each body for its lowest modes, where analyses @p
+     * can have it. */
+    void choose_sectors(bool can, Log &log);
 
     /** Elements of element type auto: curved quadratic ones where an analysis can @p afford them,
      * else 8-node elements. */

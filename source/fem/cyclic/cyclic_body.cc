@@ -7,6 +7,8 @@
 #include <vfife/model/body_frame.h>
 #include <vfife/model/constraints/held_direction.h>
 
+#include <algorithm>
+
 namespace vfife
 {
   namespace
@@ -77,6 +79,27 @@ namespace vfife
     for (const SectorTerm &term : row)
       value += term.weight.dot(Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(term.point)));
     return value;
+  }
+
+  bool has_equal_sectors(const Model &model, const unsigned int b, const FemSpaceOptions &options)
+  {
+    const auto acts = [b](const auto &one) { return one.body == b; };
+    if (std::any_of(model.loads.begin(), model.loads.end(), acts) ||
+        std::any_of(model.bearings.begin(), model.bearings.end(), acts) ||
+        std::any_of(model.couplings.begin(), model.couplings.end(), acts))
+      return false;
+    try
+      {
+        for (const Constraint &constraint : model.constraints)
+          if (constraint.body == b)
+            require_alike(constraint, model.bodies[b]);
+        FemSpace::sector_of(model, b, options);
+      }
+    catch (const InputError &)
+      {
+        return false; // The whole body meets again what is an error for it too.
+      }
+    return true;
   }
 
   CyclicBody::CyclicBody(const Model       &model,

@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 // For one speed: the equilibrium under centrifugal force; stiffness and mass about it, for the
 // whole body or for each harmonic of a sector; their modes; and, with Coriolis forces, waves in the
@@ -212,23 +213,90 @@ namespace vfife
           result.growth =
             std::max(result.growth, Eigen::Map<const Vector3>(equilibrium.data() + i).norm());
       }
+    result.counted = true;
     if (!options_.cyclic_symmetry)
-      solve_harmonic(rate, equilibrium, 0, result);
+      solve_harmonic(rate, equilibrium, 0, options_.n_modes, result);
+    else if (options_.lowest_of_body)
+      find_lowest(rate, equilibrium, result);
     else
-      {
-        result.counted = true;
-        // More diameters than half the sectors cannot be told apart from fewer.
-        const unsigned int half = model_.bodies[body_].structure().n_sectors() / 2;
-        const unsigned int last = std::min(half, options_.largest_diameter);
-        for (unsigned int h = 0; h <= last; ++h)
-          solve_harmonic(rate, equilibrium, h, result);
-      }
+      for (unsigned int h = 0; h <= std::min(largest_diameter(), options_.largest_diameter); ++h)
+        solve_harmonic(rate, equilibrium, h, options_.n_modes, result);
     std::stable_sort(result.modes.begin(),
                      result.modes.end(),
                      [](const RotatingMode &a, const RotatingMode &b) {
                        return a.frequency < b.frequency;
                      });
+    // As of the whole body: rigid motions are no waves, but are among the modes of these.
+    const std::size_t kept = options_.n_modes - std::min(options_.n_modes, result.n_rigid);
+    if (options_.lowest_of_body && options_.coriolis && rate != 0 && result.modes.size() > kept)
+      result.modes.resize(kept);
     return result;
+  }
+
+  void RotatingBody::find_lowest(const double               rate,
+                                 const std::vector<double> &equilibrium,
+                                 ModesAtSpeed              &result) const
+  {
+    // The first search of a diameter, and diameters without a mode among the lowest that end it.
+    constexpr unsigned int first_modes = 8, idle_diameters = 2;
+    struct Diameter
+    {
+      unsigned int n_modes = 0;
+      double       highest = 0; ///< found [Hz]
+      ModesAtSpeed found;
+    };
+    std::vector<Diameter> diameters;
+    // Frequency of the last of the lowest modes that are known; none where more are missing.
+    const auto limit = [&] {
+      std::vector<double> all;
+      for (const Diameter &one : diameters)
+        for (const RotatingMode &mode : one.found.modes)
+          all.push_back(mode.frequency);
+      if (all.size() < options_.n_modes)
+        return std::numeric_limits<double>::infinity();
+      std::nth_element(all.begin(), all.begin() + options_.n_modes - 1, all.end());
+      return all[options_.n_modes - 1];
+    };
+    const auto above = [](const RotatingMode &mode, const double top) {
+      return mode.frequency > top;
+    };
+    const auto solve = [&](const unsigned int h, const unsigned int n_modes) {
+      Diameter &one     = diameters[h];
+      one.n_modes       = n_modes;
+      one.found         = ModesAtSpeed();
+      one.found.counted = true;
+      solve_harmonic(rate, equilibrium, h, n_modes, one.found);
+      one.highest = 0;
+      for (const RotatingMode &mode : one.found.modes)
+        one.highest = std::max(one.highest, mode.frequency);
+      // Shapes of the whole body are large: none is kept longer than it is of use.
+      const double top = limit();
+      for (Diameter &any : diameters)
+        any.found.modes.erase(std::remove_if(any.found.modes.begin(),
+                                             any.found.modes.end(),
+                                             [&](const auto &mode) { return above(mode, top); }),
+                              any.found.modes.end());
+    };
+    const unsigned int first = std::min(first_modes, options_.n_modes);
+    for (unsigned int idle = 0; diameters.size() <= largest_diameter() && idle < idle_diameters;)
+      {
+        diameters.emplace_back();
+        solve(diameters.size() - 1, first);
+        idle = diameters.back().found.modes.empty() ? idle + 1 : 0;
+      }
+    for (unsigned int h = 0; h < diameters.size(); ++h)
+      while (diameters[h].highest < limit() && diameters[h].n_modes < options_.n_modes)
+        solve(h, std::min(2 * diameters[h].n_modes, options_.n_modes));
+    for (Diameter &one : diameters)
+      {
+        result.modes.insert(result.modes.end(),
+                            std::make_move_iterator(one.found.modes.begin()),
+                            std::make_move_iterator(one.found.modes.end()));
+        result.n_rigid += one.found.n_rigid;
+        result.n_unknowns = std::max(result.n_unknowns, one.found.n_unknowns);
+        result.memory     = std::max(result.memory, one.found.memory);
+        result.counted    = result.counted && one.found.counted;
+      }
   }
 
   std::vector<std::vector<double>> RotatingBody::rigid_motions(const FemSystem   &system,
@@ -289,6 +357,7 @@ namespace vfife
   void RotatingBody::solve_harmonic(const double               rate,
                                     const std::vector<double> &equilibrium,
                                     const unsigned int         harmonic,
+                                    const unsigned int         n_modes,
                                     ModesAtSpeed              &result) const
   {
     FemConstraints::Options constraints;
@@ -311,15 +380,16 @@ namespace vfife
     const unsigned int most        = ModalSolver::largest_number(system.constraints().n());
 
     FemOptions options = options_;
+    options.n_modes    = n_modes;
     for (unsigned int attempt = 0;; ++attempt)
       {
         const ModalResult found = ModalSolver(system, options).solve(K, M, lowest, rigid);
         ModesAtSpeed      part;
         bool              is_complete = true;
         if (with_waves)
-          is_complete = add_waves(matrices, harmonic, rate, K, M, found, part);
+          is_complete = add_waves(matrices, harmonic, rate, K, M, found, n_modes, part);
         else
-          add_modes(harmonic, found, part);
+          add_modes(matrices, harmonic, found, part);
         // The lowest waves may be made of modes that are not among the lowest.
         if (!is_complete && attempt < most_attempts && options.n_modes < most)
           {
@@ -332,15 +402,50 @@ namespace vfife
         result.n_rigid += found.rigid.size();
         result.n_unknowns = std::max(result.n_unknowns, found.n_unknowns);
         result.memory     = std::max(result.memory, found.memory);
-        result.counted =
-          (result.counted || !options_.cyclic_symmetry) && found.counted && is_complete;
+        result.counted    = result.counted && found.counted && is_complete;
         return;
       }
   }
 
-  void RotatingBody::add_modes(const unsigned int harmonic,
-                               const ModalResult &found,
-                               ModesAtSpeed      &result) const
+  std::array<double, 6> RotatingBody::compute_effective_mass(const SystemMatrices      &matrices,
+                                                             const unsigned int         harmonic,
+                                                             const std::vector<double> &shape) const
+  {
+    // r of a motion along and about the axis is in the harmonic 0, across it in the harmonic 1 as
+    // in rigid_motions(). Over N sectors the squared norm of a shape of norm 1 is N, respectively
+    // N/2, and so is its product with r over that of the sector.
+    std::array<double, 6> effective = {};
+    if (harmonic > 1)
+      return effective;
+    const Body               &body    = model_.bodies[body_];
+    const std::size_t         copy    = 3 * static_cast<std::size_t>(space_.n_points());
+    const bool                is_pair = shape.size() > copy;
+    const Vector3             a       = compute_sector_axis(body).direction;
+    const auto                unit = make_rigid_motions(space_, space_.parts()[0], body.axis.point);
+    const std::vector<double> real(shape.begin(), shape.begin() + copy),
+      imaginary(shape.begin() + (is_pair ? copy : 0), shape.end());
+    std::array<double, 6> of_real, of_imaginary;
+    for (unsigned int d = 0; d < 6; ++d)
+      {
+        of_real[d]      = matrices.mass_product(real, unit[d]);
+        of_imaginary[d] = matrices.mass_product(imaginary, unit[d]);
+      }
+    for (unsigned int d = 0; d < 6; ++d)
+      {
+        const Vector3 e = Vector3::Unit(d % 3), along = a * a.dot(e), across = e - along;
+        const Eigen::Map<const Vector3> p(of_real.data() + d / 3 * 3),
+          q(of_imaginary.data() + d / 3 * 3);
+        const double product =
+          harmonic == 0 ? p.dot(along) : p.dot(across) + (is_pair ? q.dot(a.cross(across)) : 0.);
+        effective[d] = body.structure().n_sectors() / (harmonic == 0 ? 1. : 2.) * product * product;
+      }
+    return effective;
+  }
+
+  void RotatingBody::add_modes(const SystemMatrices &matrices,
+                               const unsigned int    harmonic,
+                               const ModalResult    &found,
+                               ModesAtSpeed         &result) const
   {
     for (const Mode &mode : found.modes)
       {
@@ -350,11 +455,12 @@ namespace vfife
                                "high)");
         RotatingMode entry;
         // Round-off and softening give rigid motions small frequencies or imaginary ones.
-        entry.frequency = mode.is_rigid ? 0. : mode.frequency();
-        entry.residual  = mode.residual;
-        if (!options_.cyclic_symmetry)
-          entry.effective_mass = mode.effective_mass;
-        entry.shape = whole_shape(mode.shape, harmonic);
+        entry.frequency      = mode.is_rigid ? 0. : mode.frequency();
+        entry.residual       = mode.residual;
+        entry.effective_mass = options_.cyclic_symmetry
+                                 ? compute_effective_mass(matrices, harmonic, mode.shape)
+                                 : mode.effective_mass;
+        entry.shape          = whole_shape(mode.shape, harmonic);
         std::vector<double> none(entry.shape.size(), 0.);
         scale_to_one(entry.shape, none);
         entry.description = describer_.describe(entry.shape);
@@ -368,6 +474,7 @@ namespace vfife
                                const FemMatrix      &stiffness,
                                const FemMatrix      &mass,
                                const ModalResult    &found,
+                               const unsigned int    n_asked,
                                ModesAtSpeed         &result) const
   {
     const FemSystem         &system = matrices.system();
@@ -375,7 +482,7 @@ namespace vfife
     const FemMatrix          coriolis = matrices.gyroscopic(constant_rate(rate));
     std::vector<OwnedVector> modes    = found.vectors;
     modes.insert(modes.end(), found.guards.begin(), found.guards.end());
-    const unsigned int n_rigid = found.rigid.size(), n_asked = options_.n_modes;
+    const unsigned int n_rigid = found.rigid.size();
     const auto         waves =
       find_gyroscopic_modes({stiffness, mass, coriolis, rate, factors, found.shift},
                             modes,

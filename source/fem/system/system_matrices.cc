@@ -237,6 +237,22 @@ namespace vfife
     });
   }
 
+  double SystemMatrices::mass_product(const std::vector<double> &u,
+                                      const std::vector<double> &v) const
+  {
+    const FemSpace &d   = system_.space();
+    double          sum = 0;
+    for (unsigned int e = 0; e < d.n_elements(); ++e)
+      {
+        const Eigen::VectorXd first = d.gather(e, u), second = d.gather(e, v);
+        const auto            columns = first.size() / 3;
+        sum += (Eigen::Map<const ElementNodes>(first.data(), 3, columns) * mass_coefficients(e))
+                 .cwiseProduct(Eigen::Map<const ElementNodes>(second.data(), 3, columns))
+                 .sum();
+      }
+    return sum;
+  }
+
   std::vector<OwnedVector> SystemMatrices::near_kernel() const
   {
     const FemSpace          &d = system_.space();

@@ -7,6 +7,7 @@
 #include <vfife/base/process/wall_clock.h>
 #include <vfife/base/text/figure_text.h>
 #include <vfife/dynamics/dynamics_options.h>
+#include <vfife/fem/cyclic/cyclic_body.h>
 #include <vfife/fem/distributed/distributed_checks.h>
 #include <vfife/fem/distributed/distributed_modes.h>
 #include <vfife/fem/fem_options.h>
@@ -79,6 +80,8 @@ namespace vfife
       void run(OutputFolder &folder, Log &log) override;
 
     private:
+      /** Where entries leave them open. */
+      void  choose_methods(const Model &model, Log &log);
       Model make_model(Log &log) const
       {
         Model model = case_->make_model(log);
@@ -122,7 +125,7 @@ namespace vfife
     const Model model   = make_model(log);
     RunSummary  summary = start_summary("modal", model, folder);
     const auto  start   = WallClock::now();
-    fem_.choose_elements(fem_.cyclic_symmetry, log);
+    choose_methods(model, log);
     summary.figures.push_back(
       {figure_name::degree_of_elements, {double(degree_of(fem_.element)), "-"}});
     folder.make_subfolder("modes");
@@ -139,6 +142,23 @@ namespace vfife
     write_summary(folder, summary, log);
     if (output_.pictures)
       draw_pictures(folder, log);
+  }
+
+  void ModalStudy::choose_methods(const Model &model, Log &log)
+  {
+    const auto &bodies = find_chosen_bodies(fem_, model);
+    // Lobpcg is asked for where the memory is short of factors, and distributed meshes have no
+    // sectors.
+    const bool can_have_sectors =
+      !fem_.distributed && fem_.eigen_solver == EigenSolverKind::shift_invert &&
+      std::all_of(bodies.begin(), bodies.end(), [&](const unsigned int b) {
+        // Nodes are a third of the unknowns: enough also where many are held.
+        return fem_.n_modes <=
+                 ModalSolver::largest_number(model.bodies[b].structure().nodes_per_sector()) &&
+               has_equal_sectors(model, b, fem_);
+      });
+    fem_.choose_sectors(can_have_sectors, log);
+    fem_.choose_elements(fem_.cyclic_symmetry, log);
   }
 
   void ModalStudy::log_damping(const ModesAtSpeed &found, const double zeta, Log &log) const

@@ -131,6 +131,7 @@ namespace vfife
         output_.declare(prm);
         if (case_->has_teeth())
           {
+            fillets_.teeth = RecordedTeeth::in_contact;
             fillets_.declare(prm, file);
             instants_.declare(prm);
           }

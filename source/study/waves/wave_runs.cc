@@ -102,7 +102,8 @@ namespace vfife
   CommandLine WaveRuns::command_line(CommandLine        study,
                                      const double       speed,
                                      const unsigned int n_meshes,
-                                     const unsigned int diameters)
+                                     const unsigned int diameters,
+                                     const bool         fillets)
   {
     // They come last and win.
     for (const std::string &entry : {std::string("Study/kind=run"),
@@ -112,6 +113,7 @@ namespace vfife
                                      "Output/stress wave diameters=" + std::to_string(diameters),
                                      // As the readings of the reduced pair beside them.
                                      std::string("Fillets/source=elements"),
+                                     std::string("Fillets/teeth=") + (fillets ? "all" : "none"),
                                      std::string("Output/field output interval=0"),
                                      std::string("Output/report=no")})
       study.overrides.push_back(entry);
@@ -124,9 +126,12 @@ namespace vfife
   {
     const Communicator &all = folder_.communicator();
     Communicator        ranks(all.mpi());
-    CommandLine         line =
-      command_line(study_, schedule.speed, schedule.n_meshes(), meeting.wave.diameters);
-    line.output_folder = folder_.file(name);
+    CommandLine         line = command_line(study_,
+                                    schedule.speed,
+                                    schedule.n_meshes(),
+                                    meeting.wave.diameters,
+                                    !places_.fillets().empty());
+    line.output_folder       = folder_.file(name);
     folder_.list_file(name + "/");
     log_.line(name,
               " begins: a run at ",

@@ -192,7 +192,8 @@ namespace vfife
       runner_.read(WaveRuns::command_line(own_,
                                           options_.highest_speed,
                                           reduced_.settling_meshes + reduced_.counted_meshes,
-                                          options_.diameter_numbers().front()));
+                                          options_.diameter_numbers().front(),
+                                          fillets_.records()));
     }
 
     void WavesStudy::check_diameters(const Model &model) const

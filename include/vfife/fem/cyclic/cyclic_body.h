@@ -24,6 +24,10 @@ namespace vfife
   /** What a row reads of displacements that are the same in all sectors (3 a point of sector 0). */
   double read_row(const SectorRow &row, const std::vector<double> &u);
 
+  /** Whether one sector tells the modes of the body: equal ones that are held alike, without loads,
+   * bearings and couplings. */
+  bool has_equal_sectors(const Model &model, unsigned int body, const FemSpaceOptions &options);
+
   /**
    * A body of equal sectors that are all held alike, in bearings too, about its state of steady
    * spin: what its harmonics (CyclicHarmonic) have in common. A hub that turns freely, or a shaft

@@ -25,7 +25,7 @@ namespace vfife
      * bearings oppose them, and not where nothing does; part of that of the whole shape [-]. */
     double          rigid_damping = 0;
     ModeDescription description;
-    /** As in Mode; not a number for sectors and with Coriolis forces. */
+    /** As in Mode; not a number with Coriolis forces. */
     std::array<double, 6> effective_mass = {
       {not_known, not_known, not_known, not_known, not_known, not_known}};
     /** Displacements of the points of RotatingBody::shown(), 3 a point, fixed frame, largest 1 mm.
@@ -101,6 +101,9 @@ namespace vfife
     }
 
   private:
+    /** One sector: the lowest modes of the whole body, of as many diameters as have them. */
+    void
+    find_lowest(double rate, const std::vector<double> &equilibrium, ModesAtSpeed &result) const;
     /** Rigid motions that nothing holds, but for the turn about the axis of a hub or in bearings.
      */
     unsigned int count_free_motions() const;
@@ -109,8 +112,20 @@ namespace vfife
     void solve_harmonic(double                     rate,
                         const std::vector<double> &equilibrium,
                         unsigned int               harmonic,
+                        unsigned int               n_modes,
                         ModesAtSpeed              &result) const;
-    void add_modes(unsigned int harmonic, const ModalResult &found, ModesAtSpeed &result) const;
+    void add_modes(const SystemMatrices &matrices,
+                   unsigned int          harmonic,
+                   const ModalResult    &found,
+                   ModesAtSpeed         &result) const;
+    /** Of the whole body, by a mode of one sector. */
+    std::array<double, 6> compute_effective_mass(const SystemMatrices      &matrices,
+                                                 unsigned int               harmonic,
+                                                 const std::vector<double> &shape) const;
+    unsigned int          largest_diameter() const
+    {
+      return model_.bodies[body_].structure().n_sectors() / 2;
+    }
     /** Tells whether no lower wave can be missing. */
     bool add_waves(const SystemMatrices &matrices,
                    unsigned int          harmonic,
@@ -118,6 +133,7 @@ namespace vfife
                    const FemMatrix      &stiffness,
                    const FemMatrix      &mass,
                    const ModalResult    &found,
+                   unsigned int          n_asked,
                    ModesAtSpeed         &result) const;
     /** Rigid motions that nothing opposes, as displacements of all points (each copy). */
     std::vector<std::vector<double>> rigid_motions(const FemSystem &system,

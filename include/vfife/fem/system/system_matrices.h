@@ -61,6 +61,8 @@ namespace vfife
 
     /** M r for a field r of all points: what a base motion r puts on the unknowns. */
     OwnedVector apply_mass(const std::vector<double> &field) const;
+    /** u^T M v of two fields of all points, without constraints. */
+    double mass_product(const std::vector<double> &u, const std::vector<double> &v) const;
 
     /** Owned parts of the rigid motions of each body, for multigrid. */
     std::vector<OwnedVector> near_kernel() const;

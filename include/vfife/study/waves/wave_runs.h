@@ -32,9 +32,9 @@ namespace vfife
              bool                    resumes);
 
     /** The run of a study's file at a speed of the driver [rad/s] that measures stress waves of @p
-     * diameters. */
-    static CommandLine
-    command_line(CommandLine study, double speed, unsigned int n_meshes, unsigned int diameters);
+     * diameters, also those of @p fillets. */
+    static CommandLine command_line(
+      CommandLine study, double speed, unsigned int n_meshes, unsigned int diameters, bool fillets);
 
     /** Does the run in the subfolder @p name, says so, and reads it; without WaveMotion::force.
      * Throws NumericalError where it has failed, Interrupted. Collective. */

@@ -5,6 +5,8 @@ import numpy as np
 from .periodicity import fold_meshes
 from .spectrum import amplitudes_of, find_peaks, hann_window
 
+# Spacings from a harmonic to the nearest line: a Hann window resolves two, of which a peak may miss half a one.
+NEAREST_LINE = 1.5
 HIGHEST_LINE_ORDER = 12  # of the gear mesh, up to which spectra are shown and lines are looked for
 
 
@@ -31,7 +33,8 @@ def find_lines(values, samples_per_mesh, mesh_frequency, lowest, highest, count,
         return []
     amplitudes = amplitudes_of(rest * hann_window(n))
     lines = find_peaks(amplitudes, mesh_frequency / len(folded))
-    lines = [line for line in lines if not is_harmonic(line.frequency, mesh_frequency, mesh_frequency / len(folded))]
+    resolution = NEAREST_LINE * mesh_frequency / len(folded)
+    lines = [line for line in lines if not is_harmonic(line.frequency, mesh_frequency, resolution)]
     floor = least * max((line.amplitude for line in lines), default=0)
     lines = [line for line in lines
              if lowest <= line.frequency <= highest and line.amplitude >= floor]

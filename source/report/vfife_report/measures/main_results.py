@@ -24,6 +24,17 @@ def describe_ripple(run, quantity, column):
             + (f"; numerical noise by contact points {part['value']:.2g} {part['unit']}" if part else ""))
 
 
+def find_largest(run, *names):
+    """The largest of these figures and its unit; none where none is stated."""
+    quantities = {**run.summary.get("figures", {}), **run.stated}
+    found = [quantities[name] for name in names if name in quantities]
+    return (max(one["value"] for one in found), found[0]["unit"]) if found else (None, "")
+
+
+def list_root_tension(run, degree):
+    yield "root tension, largest of pinion and gear", *find_largest(run, "pinion root tension", "gear root tension"), describe_root(run, degree)
+
+
 def describe_mean(run):
     """For a run or a reduced pair: the penalty may give 8-node elements the mean of quadratic ones."""
     degree = find_degree(run)
@@ -41,6 +52,7 @@ def list_run_results(run):
         yield ("sum of the contact forces, peak to peak of the record", force["peak to peak"], force["unit"],
                describe_ripple(run, "contact force", CONTACT_FORCE))
     yield "contact pressure (Hertz), largest", find_largest_pressure(run), "MPa", INSIDE
+    yield from list_root_tension(run, find_degree(run))
     stresses = {name: one["value"] for name, one in run.summary.get("figures", {}).items() if name.endswith("largest von Mises stress")}
     if stresses:
         name = max(stresses, key=stresses.get)
@@ -49,19 +61,14 @@ def list_run_results(run):
 
 def list_loaded_results(run):
     degree = find_degree(run)
-
-    def find(*names):
-        found = [run.stated[name] for name in names if name in run.stated]
-        return (max(one["value"] for one in found), found[0]["unit"]) if found else (None, "")
-
-    yield "transmission error, mean", *find("transmission error mean"), MEAN_ERROR[degree]
-    yield "transmission error, peak to peak", *find("transmission error peak to peak"), RIPPLE_ERROR[degree]
-    yield "force of a tooth pair, largest", *find("largest force of a tooth pair"), "possibly larger between the positions"
+    yield "transmission error, mean", *find_largest(run, "transmission error mean"), MEAN_ERROR[degree]
+    yield "transmission error, peak to peak", *find_largest(run, "transmission error peak to peak"), RIPPLE_ERROR[degree]
+    yield "force of a tooth pair, largest", *find_largest(run, "largest force of a tooth pair"), "possibly larger between the positions"
     if "largest pressure inside on its own grid" in run.stated:
-        yield "contact pressure, largest inside the flanks", *find("largest pressure inside on its own grid"), GRID_ERROR
+        yield "contact pressure, largest inside the flanks", *find_largest(run, "largest pressure inside on its own grid"), GRID_ERROR
     else:
         yield "contact pressure (Hertz), largest", find_largest_pressure(run), "MPa", INSIDE
-    yield "root tension, largest of pinion and gear", *find("pinion root tension", "gear root tension"), describe_root(run, degree)
+    yield from list_root_tension(run, degree)
 
 
 RESULTS_OF = {"pair run": list_run_results, "loaded analysis": list_loaded_results, "contact analysis": list_contact_results,

@@ -61,9 +61,9 @@ def tell_ripple(run):
         return
     needed = run.value("mesh cycles that a steady ripple needs")
     words = "The ripple (curve minus mean) is steady." if run.is_ripple_steady() else "The ripple (curve minus mean) is still transient."
-    yield Cells(["peak to peak", "first half", "second half", "unit", "largest change [%]"], rows,
+    yield Cells(["peak to peak", "first half", "second half", "unit", "largest change of the peak to peak value or of a harmonic [%]"], rows,
                 words + (f" A steady ripple needs at least {needed:.0f} mesh cycles." if needed else "")
-                + " The largest change is that of the peak to peak value or of a mesh harmonic; below 10 % the ripple is steady.")
+                + " Below a change of 10 % the ripple is steady.")
 
 
 def tell_farthest(folder):

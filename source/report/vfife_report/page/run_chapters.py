@@ -106,16 +106,23 @@ def tell_probes(run, plots):
                     [[run.probes.label(name), *map(float, suppress_rounding(run.probes, name))] for name in shown])
         return
     yield Cells(["probe", "peak [MPa]", "time of the peak [ms]", "least [MPa]", "median [MPa]", "deviation in the gear mesh",
-                 "duration [ms]", "record"],
+                 "duration [ms]", "deviation within the record"],
                 [[name, p.peak, 1e3 * p.peak_time, p.least, p.steady, "decrease" if p.is_dip else "increase",
                   1e3 * p.duration if p.whole else None,
-                  "whole deviation" if p.whole else "part of the deviation"]
+                  "complete" if p.whole else "cut off"]
                  for name, p in find_passages(run)],
                 "Peak and least value cover the whole record. The median is that of one rotation. If the probe is not recorded in all "
                 "sectors, the median excludes the time in the gear mesh. The duration is the time in which the deviation from the "
-                f"median exceeds {DURATION_LEVEL_IN_WORDS} of the largest.")
+                f"median exceeds {DURATION_LEVEL_IN_WORDS} of the largest."
+                + " Node A is at the foot of the web: at a sharp corner its stress depends on the mesh." * has_sharp_foot(run))
     for probe in run.summary.get("probes", {}).values():
         yield Paragraph(probe["explanation"] + ".")
+
+
+def has_sharp_foot(run):
+    """Whether a probe is at node A of a web without a fillet at the hub."""
+    return (run.probes is not None and any(name.startswith("node A") for name in run.probes["probe"])
+            and float(run.parameters.get("Gear pair/Gear/Body/hub fillet radius", "0").split()[0]) == 0)
 
 
 def suppress_rounding(table, name):
