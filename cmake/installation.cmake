@@ -16,6 +16,7 @@ install(
   USE_SOURCE_PERMISSIONS
   FILES_MATCHING
   PATTERN *.py
+  PATTERN *.json
   PATTERN *.html
   PATTERN *.css
   PATTERN __pycache__ EXCLUDE)

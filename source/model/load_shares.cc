@@ -13,12 +13,7 @@ namespace vfife
     // Of an acceleration a node takes its mass [t]; shares of other loads have no unit and sum
     // to 1.
     if (load.kind == LoadKind::acceleration)
-      {
-        std::vector<double> masses;
-        for (const unsigned int node : load.nodes)
-          masses.push_back(body.node_masses()[node]);
-        return masses;
-      }
+      return masses_of(body, load.nodes);
     if (load.kind == LoadKind::pressure &&
         find_boundary_faces(body, load.nodes, load.faces).empty())
       throw InputError("load \"" + load.name + "\": the nodes contain no face of body \"" +
@@ -42,6 +37,14 @@ namespace vfife
     for (double &share : shares)
       share /= sum;
     return shares;
+  }
+
+  std::vector<double> masses_of(const Body &body, const std::vector<unsigned int> &nodes)
+  {
+    std::vector<double> masses;
+    for (const unsigned int node : nodes)
+      masses.push_back(body.node_masses()[node]);
+    return masses;
   }
 
   std::vector<Vector3> find_undeformed_places(const Body                      &body,

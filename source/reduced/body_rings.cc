@@ -34,14 +34,6 @@ namespace vfife
       return places;
     }
 
-    std::vector<double> masses_of(const Body &body, const std::vector<unsigned int> &nodes)
-    {
-      std::vector<double> masses;
-      for (const unsigned int node : nodes)
-        masses.push_back(body.node_masses()[node]);
-      return masses;
-    }
-
     MotionOfRing make_ring(const Body                      &body,
                            const std::string               &name,
                            const std::vector<unsigned int> &nodes,

@@ -13,7 +13,6 @@
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/base/text/byte_stream.h>
 #include <vfife/base/text/column_names.h>
-#include <vfife/base/text/former_result_names.h>
 #include <vfife/contact/law/hertz.h>
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/fem/modes/campbell.h>
@@ -320,11 +319,6 @@ namespace
         text << "],\n" << Json(name) << ": [";
         write_list(text, places, "  ");
       }
-    Json former = Json::array();
-    for (const FormerResultName &one : list_former_result_names())
-      former.push_back({{"file", one.file}, {"former", one.former}, {"present", one.present}});
-    text << "],\n\"former names\": [";
-    write_list(text, former, "  ");
     text << "]}\n";
     return text.str();
   }

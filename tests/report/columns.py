@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """Columns and places of .json files that the report reads are such that the program writes:
-doc/columns.json, which a test of the writers holds true (tests/output/columns). Both have the same former names."""
+doc/columns.json, which a test of the writers holds true (tests/output/columns)."""
 import ast
 import json
 import sys
@@ -9,7 +9,6 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "source/report"))
-from vfife_report.data.former_names import FORMER_NAMES  # noqa: E402
 
 PACKAGE = ROOT / "source/report/vfife_report"
 # Tables of a run by the names under which the package has them (data/run_folder.py).
@@ -206,9 +205,6 @@ def main():
               for name in ("summary.json", "lumped.json") for one in lists[name]]
 
     read, breaches = {}, []
-    if {(file, *pair) for file, names in FORMER_NAMES.items() for pair in names.items()} != {
-            (one["file"], one["former"], one["present"]) for one in lists["former names"]}:
-        breaches.append("the former names of doc/columns.json are not those of data/former_names.py")
     for path in sorted(PACKAGE.rglob("*.py")):
         name, tree = path.relative_to(PACKAGE).as_posix(), ast.parse(path.read_text())
         uses = list(columns_read(tree, {**RUN_TABLES, **TABLES.get(name, {})}))

@@ -22,6 +22,9 @@ namespace vfife
                                           const std::vector<unsigned int> &nodes,
                                           const SelectedFaces             &faces = {});
 
+  /** Masses of nodes of a body [t]. */
+  std::vector<double> masses_of(const Body &body, const std::vector<unsigned int> &nodes);
+
   /** Where nodes of a body are in the fixed frame at time zero [mm]. */
   std::vector<Vector3> find_undeformed_places(const Body                      &body,
                                               const std::vector<unsigned int> &nodes);

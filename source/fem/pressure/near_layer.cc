@@ -1,11 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/sample_measures.h>
 #include <vfife/fem/pressure/near_layer.h>
 #include <vfife/model/model.h>
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <set>
 
 namespace vfife
@@ -187,7 +187,7 @@ namespace vfife
 
   double NearLayer::mean_depth() const
   {
-    return std::accumulate(depths.begin(), depths.end(), 0.) / depths.size();
+    return mean_of(depths);
   }
 
 

@@ -8,17 +8,6 @@
 
 namespace vfife
 {
-  namespace
-  {
-    std::vector<double> masses_of(const Body &body, const std::vector<unsigned int> &nodes)
-    {
-      std::vector<double> masses;
-      for (const unsigned int node : nodes)
-        masses.push_back(body.node_masses()[node]);
-      return masses;
-    }
-  } // namespace
-
   BodyRing::BodyRing(const Body                &body,
                      std::vector<unsigned int>  nodes,
                      const std::vector<double> &shares,

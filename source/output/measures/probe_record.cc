@@ -1,5 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/median.h>
+#include <vfife/base/sample_measures.h>
 #include <vfife/base/text/figure_text.h>
 #include <vfife/output/measures/probe_record.h>
 

@@ -1,9 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/median.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/machine_speed.h>
 #include <vfife/base/process/timers.h>
+#include <vfife/base/sample_measures.h>
 #include <vfife/contact/contact_times.h>
 #include <vfife/dynamics/loop/explicit_solver.h>
 #include <vfife/study/benchmark/contact_benchmark.h>

@@ -1,5 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/median.h>
+#include <vfife/base/sample_measures.h>
 #include <vfife/dynamics/motion/nodal_update.h>
 #include <vfife/element/frame.h>
 #include <vfife/study/benchmark/operator_benchmark.h>

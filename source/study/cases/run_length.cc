@@ -29,10 +29,20 @@ namespace vfife
     }
   } // namespace
 
-  double find_end(const Transmission *pair, const double time, const double sample)
+  RunTimes plan_times(const Case            &run_case,
+                      const DynamicsOptions &dynamics,
+                      const OutputOptions   &output,
+                      const Transmission    *pair,
+                      const double           dt)
   {
-    const double end = sample * std::ceil(time / sample * (1. - 1e-9));
-    return pair == nullptr || std::abs(end - time) <= 1e-9 * time ? time : end;
+    RunTimes times;
+    times.sample_steps = output.compute_history_steps(pair, dt);
+    const double time = run_case.end_time(), sample = times.sample_steps * dt;
+    const double last  = sample * std::ceil(time / sample * (1. - 1e-9));
+    times.whole        = pair == nullptr || std::abs(last - time) <= 1e-9 * time ? time : last;
+    const auto largest = dynamics.largest_steps;
+    times.end          = largest > 0 ? std::min(times.whole, largest * dt) : times.whole;
+    return times;
   }
 
   unsigned int count_meshes(const Transmission &pair, const double time)

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/sample_measures.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/study/compare/model_comparison.h>
 #include <vfife/study/compare/nearest_mode.h>
@@ -181,11 +182,10 @@ namespace vfife
           double      swing = 0;
           for (const std::string &column : probe.displacements)
             {
-              const auto ends =
-                std::minmax_element(history.numbers(column).begin(), history.numbers(column).end());
-              if (*ends.second - *ends.first > swing)
+              const double own = peak_to_peak_of(history.numbers(column));
+              if (own > swing)
                 {
-                  swing   = *ends.second - *ends.first;
+                  swing   = own;
                   largest = column;
                 }
             }

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/sample_measures.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/model/body.h>
 #include <vfife/output/measures/bearing_columns.h>
@@ -6,7 +7,6 @@
 #include <vfife/study/conventional/loaded_contact_tables.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace vfife
 {
@@ -99,22 +99,18 @@ namespace vfife
     const auto add = [&figures](const Table::Column &column, const char *what, const double value) {
       figures.push_back({column.name + what, {value, column.unit}});
     };
-    const auto mean = [](const std::vector<double> &values) {
-      return std::accumulate(values.begin(), values.end(), 0.) / values.size();
-    };
     // Each position of a mesh cycle counts alike.
     for (const char *name : {column::transmission_error, column::unloaded_transmission_error})
       {
         const Table::Column &error = positions.column(name);
-        const auto           ends = std::minmax_element(error.numbers.begin(), error.numbers.end());
-        add(error, " mean", mean(error.numbers));
+        add(error, " mean", mean_of(error.numbers));
         // A single position has none.
         if (positions.n_rows() > 1)
-          add(error, " peak to peak", *ends.second - *ends.first);
+          add(error, " peak to peak", peak_to_peak_of(error.numbers));
       }
     for (const char *name :
          {column::contact_force_total, "secant stiffness", column::tangent_stiffness})
-      add(positions.column(name), " mean", mean(positions.numbers(name)));
+      add(positions.column(name), " mean", mean_of(positions.numbers(name)));
     for (const char *name : {"pinion fillet von mises", "gear fillet von mises", "web von mises"})
       {
         const Table::Column &stress = positions.column(name);
@@ -123,7 +119,7 @@ namespace vfife
     if (misalignments.n_rows() > 0)
       for (const Table::Column &column : misalignments.columns())
         if (column.name != column::position)
-          add(column, " mean", mean(column.numbers));
+          add(column, " mean", mean_of(column.numbers));
     return figures;
   }
 } // namespace vfife

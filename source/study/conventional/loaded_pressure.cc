@@ -1,10 +1,10 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/sample_measures.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/table_writer.h>
 #include <vfife/study/conventional/loaded_pressure.h>
 
 #include <algorithm>
-#include <numeric>
 #include <sstream>
 
 namespace vfife
@@ -56,13 +56,10 @@ namespace vfife
     NamedFigures figures = tables_.list_figures();
     if (errors_.empty())
       return figures;
-    const auto ends = std::minmax_element(errors_.begin(), errors_.end());
-    figures.push_back(
-      {"transmission error without penalty mean",
-       {std::accumulate(errors_.begin(), errors_.end(), 0.) / errors_.size(), "arcsec"}});
+    figures.push_back({"transmission error without penalty mean", {mean_of(errors_), "arcsec"}});
     if (errors_.size() > 1)
-      figures.push_back({"transmission error without penalty peak to peak",
-                         {*ends.second - *ends.first, "arcsec"}});
+      figures.push_back(
+        {"transmission error without penalty peak to peak", {peak_to_peak_of(errors_), "arcsec"}});
     return figures;
   }
 } // namespace vfife

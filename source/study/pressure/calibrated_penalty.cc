@@ -2,6 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
+#include <vfife/base/sample_measures.h>
 #include <vfife/fem/pressure/flank_pair.h>
 #include <vfife/fem/pressure/pair_pressure.h>
 #include <vfife/fem/pressure/penalty_calibration.h>
@@ -15,7 +16,6 @@
 #include <Eigen/QR>
 
 #include <map>
-#include <numeric>
 #include <utility>
 
 namespace vfife
@@ -110,11 +110,6 @@ namespace vfife
             passed->add(found.teeth);
         }
       return errors;
-    }
-
-    double mean_of(const std::vector<double> &values)
-    {
-      return std::accumulate(values.begin(), values.end(), 0.) / values.size();
     }
 
     void keep_penalties(const std::string &why, const Model &model, Log &log)

@@ -3,13 +3,11 @@
 #include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
-#include <vfife/base/text/column_names.h>
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/lumped/speed_sweep.h>
 #include <vfife/output/files/checkpoint.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/result_places.h>
-#include <vfife/output/observers/bearing_writer.h>
 #include <vfife/output/observers/history_writer.h>
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/output/output_options.h>
@@ -35,11 +33,8 @@
 #include <vfife/study/reduced/reduced_study.h>
 #include <vfife/study/reduced/speed_sweep_files.h>
 #include <vfife/study/reduced/start_stresses.h>
-#include <vfife/study/run/pair_preload.h>
-#include <vfife/study/run/pair_probes.h>
-#include <vfife/study/run/pair_results.h>
+#include <vfife/study/run/pair_recording.h>
 #include <vfife/study/run/pair_start.h>
-#include <vfife/study/run/steady_swing.h>
 #include <vfife/study/start_summary.h>
 #include <vfife/study/stress_waves/stress_wave_places.h>
 
@@ -190,48 +185,26 @@ namespace vfife
       }
       Motion make_motion(const std::vector<ReducedBody> &bodies) const;
       /** @p at_start: figures of find_start_stresses(). */
-      bool move(Model              &model,
-                ReducedPair        &pair,
-                const Motion       &motion,
-                double              penalty,
-                const NamedFigures &at_start,
-                OutputFolder       &folder,
-                Log                &log) const;
-      /** Adds the writers of root stresses and pressures that are asked for. */
-      void record_stresses(const Model       &model,
-                           const ReducedPair &pair,
-                           double             end_time,
-                           Log               &log,
-                           RunObservers      &observers,
-                           PairResults       &results) const
+      bool         move(Model              &model,
+                        ReducedPair        &pair,
+                        const Motion       &motion,
+                        const NamedFigures &at_start,
+                        OutputFolder       &folder,
+                        Log                &log) const;
+      PairReadings read(const Model &model, ReducedPair &pair) const
       {
-        results.record_fillets(
-          fillets_,
-          submodels_.get(),
-          [&](const RootStress &, const RootSubmodels *const found) {
-            return found != nullptr ? measure_submodel_readings(model, *found, pair)
-                                    : measure_fillet_readings(pair);
-          },
-          observers);
-        results.record_pressures(instants_,
-                                 fem(),
-                                 describe_run(gear_case_, model, end_time),
-                                 read_flanks(model, pair),
-                                 log,
-                                 observers);
-      }
-      void say_nearest_wave(const Model  &model,
-                            const Motion &motion,
-                            ReducedPair  &pair,
-                            Log          &log,
-                            RunSummary   &summary) const
-      {
-        const auto find = [&] {
-          return find_nearest_wave(model,
-                                   {motion.options.damping, motion.options.mesh_damping},
-                                   pair);
+        PairReadings readings;
+        readings.probes = [&](const std::vector<Probe> &copies) {
+          return pair.measure_probes(copies);
         };
-        report_nearest_wave(find, log, summary);
+        readings.fillets = [&](const RootStress &, const RootSubmodels *const found) {
+          return found != nullptr ? measure_submodel_readings(model, *found, pair)
+                                  : measure_fillet_readings(pair);
+        };
+        readings.flanks = read_flanks(model, pair);
+        readings.rim    = [&](const unsigned int n) { return pair.measure_rim(n); };
+        readings.bores  = bore_motions(model, pair);
+        return readings;
       }
       void sweep(const Model        &model,
                  ReducedPair        &pair,
@@ -295,90 +268,49 @@ namespace vfife
     bool ReducedStudy::move(Model              &model,
                             ReducedPair        &pair,
                             const Motion       &motion,
-                            const double        penalty,
                             const NamedFigures &at_start,
                             OutputFolder       &folder,
                             Log                &log) const
     {
-      const double        h             = motion.options.step;
-      const std::uint64_t history_steps = output_.compute_history_steps(&*model.transmission, h);
-      const double        end_time =
-        find_end(&*model.transmission, gear_case_.end_time(), history_steps * h);
-      const std::uint64_t whole = std::llround(end_time / h), largest = dynamics_.largest_steps,
-                          n_steps = largest > 0 ? std::min(whole, largest) : whole;
-      ReducedRun run(folder, log, model, pair, output_);
+      const double dt    = motion.options.step;
+      RunTimes     times = plan_times(gear_case_, dynamics_, output_, &*model.transmission, dt);
+      times.end          = std::llround(times.end / dt) * dt; // of its last step
+      ReducedRun run(folder, log, model, pair, dt, output_, times);
       if (dynamics_.start == Start::steady_swing && !PairMounting::changes(model))
         run.start_swinging(dynamics_.mesh_damping);
+      RunSummary &summary  = run.summary();
+      summary              = start_summary("reduced", model, folder);
       const auto   impulse = [&] { return pair.contact_impulse(); };
       const Table &history =
-        run.observers().add<HistoryWriter>(model, history_steps, impulse).table();
-      const auto measure_probes = [&](const std::vector<Probe> &copies) {
-        return pair.measure_probes(copies);
-      };
-      PairProbes  probes(model, measure_probes, log, count_meshes(*model.transmission, end_time));
-      PairResults results(model, gear_case_.hertz_contact(), output_, history_steps, n_steps * h);
-      const RingMotions bores = bore_motions(model, pair);
-      results.add_observers(
-        run.observers(), [&](const unsigned int n) { return pair.measure_rim(n); }, bores);
-      if (!model.bearings.empty())
-        {
-          run.observers().add<BearingWriter>(history_steps);
-          write_bearing_curves(folder, model.bearings);
-        }
-      record_stresses(model, pair, end_time, log, run.observers(), results);
-      results.record_stress_waves(measure_probes, run.observers());
-      RunSummary summary = start_summary("reduced", model, folder);
-      summary.figures    = results.list_figures(penalty, gear_case_.arm_range());
+        run.observers().add<HistoryWriter>(model, times.sample_steps, impulse).table();
+      PairRecording recording(gear_case_, dynamics_, output_, read(model, pair), history, run);
+      run.record_bearings();
+      recording.record_stresses(fillets_, submodels_.get(), instants_, fem());
       summary.figures.push_back({"cut-off frequency", {motion.cutoff, "Hz"}});
       summary.figures.push_back({"steps per mesh cycle", {double(motion.steps_per_mesh), "-"}});
       summary.contradictions = report_checks(model, log);
       summary.cause          = gear_case_.find_cause();
-      say_nearest_wave(model, motion, pair, log, summary);
+      report_nearest_wave(
+        [&] {
+          return find_nearest_wave(model,
+                                   {motion.options.damping, motion.options.mesh_damping},
+                                   pair);
+        },
+        log,
+        summary);
       summary.figures.insert(summary.figures.end(), at_start.begin(), at_start.end());
 
-      const auto prepared = [&]() {
-        ReducedStart &start = run.start();
-        if (PairMounting::changes(model))
-          start.misalignment = PairMounting(model).measure(bores);
-        log.line("equilibrium: ",
-                 start.found.iterations,
-                 " iterations, transmission error ",
-                 start.transmission_error / arcsecond,
-                 " arcsec, torsional mode ",
-                 swing_of(start).frequency(),
-                 " Hz");
-        probes.choose();
-        probes.log_passages();
-      };
       const auto complete = [&] {
-        const ReducedStart &start = run.start();
-        describe_start(start, PairMounting::changes(model), summary);
-        add_spring_excitation(model, swing_of(start), dynamics_.mesh_damping, summary, log);
-        if (const double swing = swing_of(start).frequency(); swing > 0 && history.n_rows() > 1)
-          {
-            results.find_steady(history, swing, dynamics_, summary, log);
-            tell_near_cutoff(history, *model.transmission, motion.cutoff, summary, log);
-          }
-        if (summary.status == "failed")
-          return;
-        results.add_contact(compute_penalty_lag(start.contact_energy, start.torque),
-                            history.n_rows(),
-                            summary,
-                            log);
-        results.write_orders(folder, history);
-        results.write_edges(gear_case_, folder, log);
-        summary.probes = probes.judge(run.state().time, results.probe_rows());
-        summary.figures.push_back(
-          {"iterations a step", {double(pair.n_iterations()) / n_steps, "-"}});
+        recording.add_motion(run.preload());
+        tell_near_cutoff(history, *model.transmission, motion.cutoff, summary, log);
+        recording.add_results(run.preload());
+        if (summary.status != "failed")
+          summary.figures.push_back(
+            {"iterations a step", {double(pair.n_iterations()) / summary.steps, "-"}});
       };
-      run.run(checkpoint_ ? &*checkpoint_ : nullptr,
-              n_steps,
-              h,
-              history_steps,
-              prepared,
-              complete,
-              summary);
-      log.line("finished: ", n_steps, " steps in ", duration_text(summary.run_time));
+      run.run(
+        checkpoint_ ? &*checkpoint_ : nullptr, [&] { recording.prepare(); }, complete);
+      log.line("finished: ", summary.steps, " steps in ", duration_text(summary.run_time));
       return summary.steady && summary.steady->has_steady_ripple();
     }
 
@@ -433,7 +365,7 @@ namespace vfife
             dynamics_,
             folder,
             checkpoint_,
-            [&] { return move(model, pair, motion, mean_penalty, at_start, folder, log); },
+            [&] { return move(model, pair, motion, at_start, folder, log); },
             log);
         }
       else

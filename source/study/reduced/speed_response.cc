@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/complex.h>
+#include <vfife/base/sample_measures.h>
 #include <vfife/base/types.h>
 #include <vfife/study/reduced/speed_response.h>
 
@@ -20,7 +21,7 @@ namespace vfife
       {
         if (samples.empty())
           return;
-        mean = std::accumulate(samples.begin(), samples.end(), 0.) / samples.size();
+        mean = mean_of(samples);
         for (const double value : samples)
           rms += (value - mean) * (value - mean);
         rms                    = std::sqrt(rms / samples.size());

@@ -40,35 +40,31 @@ namespace vfife
     return 2. * contact_energy / torque;
   }
 
-  void add_swing(const Swing &swing, RunSummary &summary)
-  {
-    summary.figures.push_back({"torsional stiffness", {1e-3 * swing.stiffness, "N m/rad"}});
-    summary.figures.push_back({"inertia of the torsional mode", {1e-3 * swing.inertia, "kg m^2"}});
-    summary.figures.push_back({figure_name::torsional_frequency, {swing.frequency(), "Hz"}});
-  }
-
   void add_preload(const PairPreload &preload, const bool on_shafts, RunSummary &summary)
   {
-    const DeflectionParts &parts = preload.parts;
-    summary.transmission_error   = {
-        {error_part::total, {parts.total / arcsecond, "arcsec"}},
-        {error_part::teeth_and_rest, {parts.teeth / arcsecond, "arcsec"}},
-        {error_part::web_windup, {parts.web_windup / arcsecond, "arcsec"}},
-        {error_part::rim_tilt_and_shift, {parts.rim_tilt / arcsecond, "arcsec"}},
-        {error_part::centrifugal_shift, {parts.centrifugal / arcsecond, "arcsec"}}};
-    if (std::isfinite(preload.rim_bending))
-      summary.transmission_error.push_back(
-        {error_part::rim_bending, {preload.rim_bending / arcsecond, "arcsec"}});
+    const DeflectionParts &parts    = preload.parts;
+    const SupportParts    &supports = preload.supports;
+    const auto             add      = [&](const char *name, const double part) {
+      if (std::isfinite(part))
+        summary.transmission_error.push_back({name, {part / arcsecond, "arcsec"}});
+    };
+    add(error_part::total, parts.total);
+    add(error_part::teeth_and_rest, parts.teeth);
+    add(error_part::web_windup, parts.web_windup);
+    add(error_part::rim_tilt_and_shift, parts.rim_tilt);
+    add(error_part::centrifugal_shift, parts.centrifugal);
+    add(error_part::rim_bending, preload.rim_bending);
     if (on_shafts)
       {
-        summary.transmission_error.push_back(
-          {error_part::bearings, {preload.supports.bearings / arcsecond, "arcsec"}});
-        summary.transmission_error.push_back(
-          {error_part::shaft_bending, {preload.supports.bending / arcsecond, "arcsec"}});
+        add(error_part::bearings, supports.bearings);
+        add(error_part::shaft_bending, supports.bending);
         for (const MountingNumber &one : list_numbers(preload.misalignment))
           summary.misalignment.push_back({one.name, {one.value, one.unit}});
       }
-    add_swing(preload.swing, summary);
+    const Swing &swing = preload.swing;
+    summary.figures.push_back({"torsional stiffness", {1e-3 * swing.stiffness, "N m/rad"}});
+    summary.figures.push_back({"inertia of the torsional mode", {1e-3 * swing.inertia, "kg m^2"}});
+    summary.figures.push_back({figure_name::torsional_frequency, {swing.frequency(), "Hz"}});
   }
 
   PreloadedPair::PreloadedPair(const Model                &model,

@@ -7,8 +7,6 @@
 #include <vfife/dynamics/watch/measurement.h>
 #include <vfife/output/files/checkpoint.h>
 #include <vfife/output/files/output_folder.h>
-#include <vfife/output/measures/pair_mounting.h>
-#include <vfife/output/observers/bearing_writer.h>
 #include <vfife/output/observers/history_writer.h>
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/output/output_options.h>
@@ -25,19 +23,15 @@
 #include <vfife/study/pressure/contact_width_watch.h>
 #include <vfife/study/pressure/instant_options.h>
 #include <vfife/study/pressure/pressure_writer.h>
-#include <vfife/study/run/pair_preload.h>
-#include <vfife/study/run/pair_probes.h>
-#include <vfife/study/run/pair_results.h>
+#include <vfife/study/run/explicit_stepping.h>
+#include <vfife/study/run/pair_recording.h>
 #include <vfife/study/run/pair_start.h>
 #include <vfife/study/run/run_start.h>
 #include <vfife/study/run/run_study.h>
 #include <vfife/study/run/start_kinds.h>
-#include <vfife/study/run/steady_swing.h>
 #include <vfife/study/run/stepped_solver.h>
-#include <vfife/study/run/stepping.h>
 #include <vfife/study/start_summary.h>
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -60,39 +54,6 @@ namespace vfife
              count_meshes(*model.transmission, end_time) > first_meshes;
     }
 
-    /** Adds what follows from the equilibrium and the history of a run that has ended, or failed.
-     */
-    void complete_pair(const Model           &model,
-                       const PairResults     &pair,
-                       const PairPreload     &preload,
-                       const Table           &history,
-                       const DynamicsOptions &dynamics,
-                       RunSummary            &summary,
-                       Log                   &log)
-    {
-      // Zero where the run has failed before its equilibrium was found.
-      const double swing = preload.swing.frequency();
-      if (swing > 0)
-        {
-          add_preload(preload, PairMounting::changes(model), summary);
-          add_spring_excitation(model, preload.swing, dynamics.mesh_damping, summary, log);
-          if (history.n_rows() > 1)
-            pair.find_steady(history, swing, dynamics, summary, log);
-        }
-      if (summary.status != "failed")
-        pair.add_contact(preload.penalty_lag, history.n_rows(), summary, log);
-    }
-
-    void log_early_end(const double end_time, const double whole_time, Log &log)
-    {
-      if (end_time < whole_time)
-        log.line("ended after Dynamics/maximum number of steps, ",
-                 1e3 * end_time,
-                 " of ",
-                 1e3 * whole_time,
-                 " ms");
-    }
-
     /** nullptr without a gear pair. */
     const Transmission *transmission_of(const Model &model)
     {
@@ -100,8 +61,7 @@ namespace vfife
     }
 
     /** Strains of fillets from where nodes are. */
-    PairResults::MakeFilletMeasure measure_places(const Model        &model,
-                                                  const Communicator &communicator)
+    PairReadings::Fillets measure_places(const Model &model, const Communicator &communicator)
     {
       return [&](const RootStress &stress, const RootSubmodels *const submodels) -> FilletMeasure {
         if (submodels != nullptr)
@@ -174,16 +134,8 @@ namespace vfife
 
     private:
       /** From the checkpoint, if there is one; returns whether the ripple is steady. */
-      bool  run_once(OutputFolder &folder, Log &log);
-      Model make_model(Log &log) const;
-      /** Adds the writers of root stresses and pressures that are asked for. */
-      void       record_stresses(const Model         &model,
-                                 const RootSubmodels *submodels,
-                                 double               end_time,
-                                 const Communicator  &communicator,
-                                 Log                 &log,
-                                 RunObservers        &observers,
-                                 PairResults         &pair) const;
+      bool       run_once(OutputFolder &folder, Log &log);
+      Model      make_model(Log &log) const;
       FemOptions fem() const
       {
         return make_fem_options(dynamics_.stiffness);
@@ -223,24 +175,6 @@ namespace vfife
     return model;
   }
 
-  void RunStudy::record_stresses(const Model               &model,
-                                 const RootSubmodels *const submodels,
-                                 const double               end_time,
-                                 const Communicator        &communicator,
-                                 Log                       &log,
-                                 RunObservers              &observers,
-                                 PairResults               &pair) const
-  {
-    pair.record_fillets(fillets_, submodels, measure_places(model, communicator), observers);
-    pair.record_parts(dynamics_, observers);
-    pair.record_pressures(instants_,
-                          fem(),
-                          describe_run(*case_, model, end_time),
-                          gather_flanks(model, communicator),
-                          log,
-                          observers);
-  }
-
   double RunStudy::choose_step(const double stable_step) const
   {
     return case_->choose_step(stable_step, output_.history_every);
@@ -269,6 +203,7 @@ namespace vfife
                          RunSummary         &summary) const
   {
     summary.contradictions = report_contradictions(model, stepped, run_time, log);
+    summary.cause          = case_->find_cause();
     // For the report.
     if (output_.pictures)
       report_nearest_wave_of_run(model, dynamics_, communicator, log, summary);
@@ -322,76 +257,62 @@ namespace vfife
     stepped.log_step(model, log);
     const auto submodels = make_root_submodels(*case_, fillets_, model, log);
 
-    // A run that ends early states all its time. Checkpoints hold the observers in this order.
-    const double        dt            = stepped.dt;
-    const Transmission *transmission  = transmission_of(model);
-    const std::uint64_t history_steps = output_.compute_history_steps(transmission, dt);
-    const double        whole_time = find_end(transmission, case_->end_time(), history_steps * dt);
-    const double        end_time =
-      dynamics_.largest_steps > 0 ? std::min(whole_time, dynamics_.largest_steps * dt) : whole_time;
-    Stepping      stepping(folder, log, model, stepped.solver, output_, history_steps);
-    RunObservers &observers = stepping.observers();
-    RunSummary   &summary   = stepping.summary();
-    summary                 = start_summary("run", model, stepped.solver, dt, folder);
-    const auto   impulse    = [&] { return stepped.solver.contact_impulse(); };
-    const Table &history    = observers.add<HistoryWriter>(model, history_steps, impulse).table();
-    std::optional<PairResults> pair;
-    std::optional<PairProbes>  probes;
+    const Transmission *transmission = transmission_of(model);
+    const RunTimes      times = plan_times(*case_, dynamics_, output_, transmission, stepped.dt);
+    const auto          start = make_start(
+      model, dynamics_, stepped.solver, std::move(settled.compliance), communicator, log);
+    // Checkpoints hold the observers in this order.
+    ExplicitStepping stepping(folder, log, model, stepped.solver, *start, output_, times);
+    RunSummary      &summary = stepping.summary();
+    summary                  = start_summary("run", model, stepped.solver, stepped.dt, folder);
+    const auto   impulse     = [&] { return stepped.solver.contact_impulse(); };
+    const Table &history =
+      stepping.observers().add<HistoryWriter>(model, times.sample_steps, impulse).table();
+    std::optional<PairRecording> recording;
     if (transmission != nullptr)
       {
-        const auto measure = [&](const std::vector<Probe> &copies) {
+        PairReadings readings;
+        readings.probes = [&](const std::vector<Probe> &copies) {
           return measure_probes(
             model, copies, stepping.state(), stepped.solver.vfife_operator(), communicator);
         };
-        probes.emplace(model, measure, log, count_meshes(*transmission, whole_time));
-        pair.emplace(model, case_->hertz_contact(), output_, history_steps, end_time);
-        pair->add_observers(observers);
-        record_stresses(model, submodels.get(), whole_time, communicator, log, observers, *pair);
-        pair->record_stress_waves(measure, observers);
-        summary.figures =
-          pair->list_figures(model.contacts.front().mean_penalty(), case_->arm_range());
+        readings.fillets = measure_places(model, communicator);
+        readings.flanks  = gather_flanks(model, communicator);
+        recording.emplace(*case_, dynamics_, output_, std::move(readings), history, stepping);
+        recording->record_stresses(fillets_, submodels.get(), instants_, fem());
         summary.figures.push_back(
           {"stable step without contact", {1e9 * stepped.solver.element_step(), "ns"}});
         add_figures(settled.figures, summary.figures);
       }
     else if (!model.contacts.empty())
-      observers.add<ContactWidthWatch>(model, history_steps, log);
-    if (!model.bearings.empty())
-      {
-        observers.add<BearingWriter>(history_steps);
-        write_bearing_curves(folder, model.bearings);
-      }
+      stepping.observers().add<ContactWidthWatch>(model, times.sample_steps, log);
+    stepping.record_bearings();
     add_figures(list_damping(dynamics_, transmission, log), summary.figures);
-    stepping.add_fields(output_, dt, dynamics_);
-    const double run_time = stepped.expect_run_time(stepping.state(), end_time / dt);
+    stepping.add_fields(output_, stepped.dt, dynamics_);
+    const double run_time = stepped.expect_run_time(stepping.state(), times.end / stepped.dt);
     foresee(model, stepped, run_time, communicator, log, summary);
-    summary.cause = case_->find_cause();
     // The steps; what has been found is put together when they have ended, well or not.
-    const auto start = make_start(
-      model, dynamics_, stepped.solver, std::move(settled.compliance), communicator, log);
     const auto prepared = [&] {
-      // With a ramp the torque is still to come, and with it what the copies would tell.
-      if (probes && dynamics_.start != Start::ramp)
-        probes->choose();
-      if (probes)
-        probes->log_passages();
+      if (recording)
+        recording->prepare();
     };
     const auto complete = [&] {
-      if (pair && start->preload() != nullptr)
-        complete_pair(model, *pair, *start->preload(), history, dynamics_, summary, log);
-      if (pair)
-        pair->write_orders(folder, history);
-      if (summary.status == "failed")
-        return;
-      if (pair)
-        pair->write_edges(*case_, folder, log);
-      if (probes)
-        summary.probes = probes->judge(stepping.state().time, pair->probe_rows());
-      stepped.add_times(communicator, summary, log);
-      log_early_end(end_time, whole_time, log);
+      if (recording)
+        {
+          recording->add_motion(*start->preload());
+          recording->add_results(*start->preload());
+        }
+      if (summary.status != "failed")
+        stepped.add_times(communicator, summary, log);
     };
-    stepping.run(
-      checkpoint_ ? &*checkpoint_ : nullptr, end_time, whole_time, *start, prepared, complete);
+    stepping.run(checkpoint_ ? &*checkpoint_ : nullptr, prepared, complete);
+    log.line("finished: ",
+             summary.steps,
+             " steps in ",
+             duration_text(summary.run_time),
+             checkpoint_ ? " with the time before the checkpoint, " : ", ",
+             1e-6 * summary.element_steps_per_second(),
+             " million element-steps per second");
     return summary.steady && summary.steady->has_steady_ripple();
   }
 

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/log.h>
+#include <vfife/base/sample_measures.h>
 #include <vfife/base/types.h>
 #include <vfife/model/model.h>
 #include <vfife/output/files/result_places.h>
@@ -7,10 +8,8 @@
 #include <vfife/study/run/deflection_parts.h>
 #include <vfife/study/run/steady_swing.h>
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numeric>
 
 namespace vfife
 {
@@ -50,12 +49,6 @@ namespace vfife
         }
       return orders;
     }
-
-    double peak_to_peak(const std::vector<double> &values)
-    {
-      const auto ends = std::minmax_element(values.begin(), values.end());
-      return *ends.second - *ends.first;
-    }
   } // namespace
 
 
@@ -64,9 +57,8 @@ namespace vfife
                                         const double               mesh_frequency,
                                         const double               mesh_damping)
   {
-    const std::size_t   n    = errors.size();
-    const double        mean = std::accumulate(errors.begin(), errors.end(), 0.) / n;
-    std::vector<double> found(n, mean);
+    const std::size_t   n = errors.size();
+    std::vector<double> found(n, mean_of(errors));
     for (const Order &order : find_orders(errors, swing, mesh_frequency, mesh_damping))
       for (std::size_t k = 0; k < n; ++k)
         found[k] += std::real(order.answer * std::polar(1., 2. * pi * order.number * k / n));
@@ -91,11 +83,11 @@ namespace vfife
     std::vector<double> forces;
     for (std::size_t k = 0; k < errors.size(); ++k)
       forces.push_back(swing.stiffness / t.arm * (moving[k] - errors[k]));
-    const double at_rest = peak_to_peak(errors) / arcsecond,
-                 in_run  = peak_to_peak(moving) / arcsecond;
+    const double at_rest = peak_to_peak_of(errors) / arcsecond,
+                 in_run  = peak_to_peak_of(moving) / arcsecond;
     summary.figures.push_back({figure_name::spring_error_at_rest, {at_rest, "arcsec"}});
     summary.figures.push_back({figure_name::spring_error, {in_run, "arcsec"}});
-    summary.figures.push_back({figure_name::spring_force, {peak_to_peak(forces), "N"}});
+    summary.figures.push_back({figure_name::spring_force, {peak_to_peak_of(forces), "N"}});
     const ContactPair &pair = model.contacts.front();
     for (unsigned int side = 0; side < 2; ++side)
       for (unsigned int way = 0; way < 2; ++way)
@@ -109,7 +101,7 @@ namespace vfife
              " arcsec at rest, ",
              in_run,
              " arcsec at this speed, contact force ",
-             peak_to_peak(forces),
+             peak_to_peak_of(forces),
              " N");
   }
 

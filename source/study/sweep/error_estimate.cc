@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/sample_measures.h>
 #include <vfife/study/sweep/error_estimate.h>
 
 #include <boost/math/tools/roots.hpp>
@@ -81,9 +82,8 @@ namespace vfife
             std::abs(f[last - 1] - f[last]) / (std::pow(h[last - 1] / h[last], *order) - 1);
           return result;
         }
-    const auto [least, largest] = std::minmax_element(f.begin(), f.end());
-    result.method               = ErrorMethod::spread;
-    result.error                = *largest - *least;
+    result.method = ErrorMethod::spread;
+    result.error  = peak_to_peak_of(f);
     return result;
   }
 } // namespace vfife

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/sample_measures.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/base/text/former_result_names.h>
 #include <vfife/base/text/nearest_name.h>
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace vfife
 {
@@ -97,11 +97,6 @@ namespace vfife
       return meshes;
     }
 
-    double mean_of(const Numbers &values)
-    {
-      return std::accumulate(values.begin(), values.end(), 0.) / values.size();
-    }
-
     /** Part of the variance that repeats with the mesh: that of the mean mesh. Not known without
      * meshes. */
     double compute_periodic_share(const std::vector<Numbers> &meshes)
@@ -159,8 +154,7 @@ namespace vfife
           return std::max(*std::max_element(column.begin(), column.end()),
                           -*std::min_element(column.begin(), column.end()));
         case FigureValue::peak_to_peak:
-          return *std::max_element(column.begin(), column.end()) -
-                 *std::min_element(column.begin(), column.end());
+          return peak_to_peak_of(column);
         case FigureValue::change:
           return column.back() / column.front() - 1;
         case FigureValue::mean_above_half:

@@ -110,10 +110,15 @@ namespace
   {
     for (const char *kind : {"run", "reduced"})
       {
-        const double rest = ripple_of(kind, "static equilibrium", world);
+        const std::string still = "static equilibrium", swinging = "steady torsional vibration";
+        const double      rest = ripple_of(kind, still, world);
         check_below(std::string(kind) + ": peak to peak over that from rest",
-                    ripple_of(kind, "steady torsional vibration", world) / rest,
+                    ripple_of(kind, swinging, world) / rest,
                     .5);
+        const auto times_of = [kind](const std::string &start) {
+          return read_columns(kind + (" " + start) + "/history.csv").at("time");
+        };
+        check(std::string(kind) + ": the same samples", times_of(still) == times_of(swinging));
       }
   }
 } // namespace

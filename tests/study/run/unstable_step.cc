@@ -12,10 +12,11 @@
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/observers/history_writer.h>
+#include <vfife/output/output_options.h>
+#include <vfife/study/run/explicit_stepping.h>
 #include <vfife/study/run/run_start.h>
 #include <vfife/study/run/start_kinds.h>
 #include <vfife/study/run/stepped_solver.h>
-#include <vfife/study/run/stepping.h>
 
 using namespace vfife;
 
@@ -65,12 +66,13 @@ namespace
       bound_largest_frequency(model, stepped.solver.vfife_operator(), world).ritz_value;
     const double dt = part * 2 / std::sqrt(frequency);
     stepped.solver.set_step(dt);
-    Stepping stepping(folder, log, model, stepped.solver, output, sample_steps);
+    const auto       start    = make_start(model, options, stepped.solver, nullptr, world, log);
+    const double     end_time = n_steps * dt;
+    ExplicitStepping stepping(
+      folder, log, model, stepped.solver, *start, output, {sample_steps, end_time, end_time});
     stepping.observers().add<HistoryWriter>(model, sample_steps);
-    const auto   start    = make_start(model, options, stepped.solver, nullptr, world, log);
-    const double end_time = n_steps * dt;
     stepping.run(
-      nullptr, end_time, end_time, *start, [] {}, [] {});
+      nullptr, [] {}, [] {});
 
     Result result;
     result.history = read_columns(name + "/history.csv");
@@ -80,7 +82,8 @@ namespace
 
     // What the checkpoint of such a run says.
     ByteStream common, own;
-    stepped.solver.serialize(common, &own, stepping.state());
+    State      last = stepping.state();
+    stepped.solver.serialize(common, &own, last);
     SteppedSolver other(model, options, world, log, [dt](const double) { return dt; });
     State         state;
     other.solver.start(state);

@@ -14,7 +14,9 @@ namespace vfife
     std::string file, former, present;
   };
 
-  /** All of them. They are in doc/columns.json too, from which the Python package has its own. */
+  /** All of them: source/report/vfife_report/data/former_names.json, which the Python package
+   * reads.
+   */
   const std::vector<FormerResultName> &list_former_result_names();
 
   /** The present name of @p name in results of the file ("history.csv"), which is mostly the same.

@@ -2,6 +2,7 @@
 #ifndef vfife_study_cases_run_length_h
 #define vfife_study_cases_run_length_h
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 
@@ -15,9 +16,21 @@ namespace vfife
   struct OutputOptions;
   struct Transmission;
 
-  /** The end of a run that is to last for @p time, with samples in intervals of @p sample [s]: of
-   * a gear pair the first sample that is not before it. @p pair may be nullptr. */
-  double find_end(const Transmission *pair, double time, double sample);
+  /** How often a run is sampled and when it ends. */
+  struct RunTimes
+  {
+    std::uint64_t sample_steps = 1; ///< from sample to sample of the histories
+    double        whole        = 0; ///< when the whole run ends [s]
+    double        end          = 0; ///< when this one does, by Dynamics/maximum number of steps [s]
+  };
+
+  /** Those of a run with steps of @p dt [s]: with a gear pair, @p pair, the whole run ends with
+   * the first sample that is not before the case's end. @p pair may be nullptr. */
+  RunTimes plan_times(const Case            &run_case,
+                      const DynamicsOptions &dynamics,
+                      const OutputOptions   &output,
+                      const Transmission    *pair,
+                      double                 dt);
 
   /** Whole mesh cycles up to a time. */
   unsigned int count_meshes(const Transmission &pair, double time);

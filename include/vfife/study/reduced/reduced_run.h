@@ -2,66 +2,29 @@
 #ifndef vfife_study_reduced_reduced_run_h
 #define vfife_study_reduced_reduced_run_h
 
-#include <vfife/model/state.h>
-#include <vfife/output/files/run_checkpoints.h>
-#include <vfife/output/files/summary.h>
 #include <vfife/output/measures/body_ring.h>
-#include <vfife/output/measures/mounting.h>
 #include <vfife/reduced/reduced_pair.h>
-#include <vfife/study/run/run_observers.h>
-
-#include <cstdint>
-#include <functional>
+#include <vfife/study/run/pair_preload.h>
+#include <vfife/study/run/stepping.h>
 
 namespace vfife
 {
-  class Log;
-  class OutputFolder;
-  struct Checkpoint;
-  struct Swing;
-
-  /** What the equilibrium before a reduced run has told. */
-  struct ReducedStart
-  {
-    ReducedEquilibrium found;
-    double             transmission_error = 0; ///< [rad]
-    double             contact_energy     = 0; ///< [mJ]
-    double             torque             = 0; ///< on the driven body [N mm]
-    Mounting           misalignment;           ///< of members on shafts
-  };
-
   /** Where the bores of the members have gone; an ideal one stays on its axis. What is given must
    * outlive it. */
   RingMotions bore_motions(const Model &model, const ReducedPair &pair);
 
-  /** The pair's swing about it. */
-  Swing swing_of(const ReducedStart &start);
-
-  /** What the equilibrium has told, where there was one. */
-  void describe_start(const ReducedStart &start, bool on_shafts, RunSummary &summary);
-
-  /** The steps of a reduced pair from its equilibrium, or a checkpoint, to the end, with observers,
-   * checkpoints, signals and the figures of the summary that any run has. */
-  class ReducedRun
+  /** The steps of a reduced pair from its equilibrium. */
+  class ReducedRun : public Stepping
   {
   public:
-    /** Everything given must outlive the object. */
-    ReducedRun(
-      OutputFolder &folder, Log &log, Model &model, ReducedPair &pair, const OutputOptions &output);
-
-    RunObservers &observers()
-    {
-      return observers_;
-    }
-    const State &state() const
-    {
-      return state_;
-    }
-    /** Known in `prepared` but for what that sets, and in `complete`. */
-    ReducedStart &start()
-    {
-      return start_;
-    }
+    /** Everything given but the times must outlive the object. @p dt: the pair's step [s]. */
+    ReducedRun(OutputFolder        &folder,
+               Log                 &log,
+               Model               &model,
+               ReducedPair         &pair,
+               double               dt,
+               const OutputOptions &output,
+               const RunTimes      &times);
 
     /** The motion begins in the steady vibration of the swing, damped by @p mesh_damping [1/s],
      * instead of at rest (find_steady_swing()). */
@@ -70,35 +33,32 @@ namespace vfife
       mesh_damping_ = mesh_damping;
     }
 
-    /**
-     * Finds the equilibrium and calls @p prepared in it, or goes on from @p checkpoint (nullptr:
-     * none), and does the steps up to @p n_steps; @p complete fills in @p summary, also of a run
-     * that has failed, before it is written. @p step [s]; @p sample_steps from sample to sample.
-     * Throws NumericalError after that, Interrupted after a checkpoint.
-     */
-    void run(const Checkpoint            *checkpoint,
-             std::uint64_t                n_steps,
-             double                       step,
-             std::uint64_t                sample_steps,
-             const std::function<void()> &prepared,
-             const std::function<void()> &complete,
-             RunSummary                  &summary);
+    /** What the equilibrium has told; zeros before it is found. */
+    PairPreload preload() const;
 
   private:
-    void serialize(ByteStream &stream);
-    void show(bool last);
-    /** Follows the equilibrium over one gear mesh, then starts anew. */
-    void start_swing(double step);
+    /** What the equilibrium has told, as checkpoints have it. */
+    struct Start
+    {
+      ReducedEquilibrium found;
+      double             transmission_error = 0; ///< [rad]
+      double             contact_energy     = 0; ///< [mJ]
+      double             torque             = 0; ///< on the driven body [N mm]
+      Mounting           misalignment;           ///< of members on shafts
+    };
 
-    const OutputFolder &folder_;
-    Log                &log_;
-    const Model        &model_;
-    ReducedPair        &pair_;
-    RunObservers        observers_;
-    State               state_;
-    ReducedStart        start_;
-    double              mesh_damping_ = not_known;
-    RunCheckpoints      checkpoints_;
+    void        serialize(ByteStream &common, ByteStream *own) override;
+    void        prepare() override;
+    void        take_steps(RunSignals &signals, bool resumed) override;
+    void        end() override;
+    std::string describe(const NumericalError &error) const override;
+    void        show(bool last);
+    /** Follows the equilibrium over one gear mesh, then starts anew. */
+    void start_swing();
+
+    ReducedPair &pair_;
+    Start        start_;
+    double       mesh_damping_ = not_known;
   };
 } // namespace vfife
 

@@ -23,7 +23,8 @@ namespace vfife
   struct Model;
   struct RunSummary;
 
-  /** What the equilibrium of a loaded gear pair before the start tells. */
+  /** What the equilibrium of a loaded gear pair before the start tells; parts that its solver does
+   * not know are NaN. */
   struct PairPreload
   {
     DeflectionParts parts;
@@ -44,11 +45,9 @@ namespace vfife
    */
   double compute_penalty_lag(double contact_energy, double torque);
 
-  /** Adds the swing to @p summary in the units of users (1e-3 kg m^2 are 1 t mm^2). */
-  void add_swing(const Swing &swing, RunSummary &summary);
-
-  /** Adds parts of the transmission error, of a pair @p on_shafts those of its supports as well,
-   * and the swing to @p summary. */
+  /** Adds parts of the transmission error that are known, of a pair @p on_shafts those of its
+   * supports as well, and the swing to @p summary in the units of users (1e-3 kg m^2 are 1 t mm^2).
+   */
   void add_preload(const PairPreload &preload, bool on_shafts, RunSummary &summary);
 
   /**

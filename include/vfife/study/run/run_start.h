@@ -19,13 +19,20 @@ namespace vfife
     virtual void prepare(State &state) = 0;
 
     /** For checkpoints: passes what prepare() has found out. */
-    virtual void serialize(ByteStream &stream);
+    virtual void serialize(ByteStream &)
+    {
+    }
 
     /** The same of what later versions have added; not called where a checkpoint has none of it. */
-    virtual void serialize_later(ByteStream &stream);
+    virtual void serialize_later(ByteStream &)
+    {
+    }
 
     /** What the equilibrium of a gear pair has told; nullptr for starts without one. */
-    virtual const PairPreload *preload() const;
+    virtual const PairPreload *preload() const
+    {
+      return nullptr;
+    }
   };
 } // namespace vfife
 

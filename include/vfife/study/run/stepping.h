@@ -2,105 +2,107 @@
 #ifndef vfife_study_run_stepping_h
 #define vfife_study_run_stepping_h
 
-#include <vfife/model/observer.h>
 #include <vfife/model/state.h>
 #include <vfife/output/files/run_checkpoints.h>
 #include <vfife/output/files/summary.h>
-#include <vfife/output/output_options.h>
+#include <vfife/study/cases/run_length.h>
 #include <vfife/study/run/run_observers.h>
 
 #include <functional>
 #include <string>
-#include <vector>
 
 namespace vfife
 {
   class ByteStream;
-  class Communicator;
-  class ExplicitSolver;
-  class FieldWriter;
   class Log;
   class NumericalError;
   class OutputFolder;
   class RunSignals;
-  class RunStart;
   struct Checkpoint;
-  struct DynamicsOptions;
 
   /**
-   * The time steps of a run from its start, or from a checkpoint, to its end, whatever the model:
-   * observers, checkpoints, signals, failure, summary.json. A run that goes on from a checkpoint
-   * writes the files that it would have written without a stop.
+   * The time steps of a run from its start, or from a checkpoint, to its end, whatever solver takes
+   * them: observers, checkpoints, signals, failure, summary.json. A run that goes on from a
+   * checkpoint writes the files that it would have written without a stop.
    */
   class Stepping
   {
   public:
-    /** Everything given must outlive the object. The step of @p solver is set. @p sample_steps:
-     * steps from sample to sample of the histories. */
+    /** Everything given but the times must outlive the object. */
     Stepping(OutputFolder        &folder,
              Log                 &log,
              Model               &model,
-             ExplicitSolver      &solver,
              const OutputOptions &output,
-             std::uint64_t        sample_steps);
-    ~Stepping();
+             const RunTimes      &times);
+    virtual ~Stepping();
 
+    OutputFolder &folder() const
+    {
+      return folder_;
+    }
+    Log &log() const
+    {
+      return log_;
+    }
+    Model &model() const
+    {
+      return model_;
+    }
+    const RunTimes &times() const
+    {
+      return times_;
+    }
     RunObservers &observers()
     {
       return observers_;
     }
+    const State &state() const
+    {
+      return state_;
+    }
+    /** To be filled by the study; run() adds time, steps, energy, warnings. */
+    RunSummary &summary()
+    {
+      return summary_;
+    }
 
-    /** Adds the fields as often as @p output says for a step of @p dt [s]; never: on SIGUSR1 only.
-     */
-    void add_fields(const OutputOptions &output, double dt, const DynamicsOptions &dynamics);
-
-    State &state();
-
-    /** To be filled by the study; run() adds time, steps, energy, dampers, warnings. */
-    RunSummary &summary();
+    /** Adds the writer of the model's bearings, and their curves, if there are any. */
+    void record_bearings();
 
     /**
-     * Runs from where @p start takes the state, or from @p checkpoint (nullptr: none), to
-     * @p end_time [s], of a run that would end at @p whole_time. @p prepared is called in the state
-     * that @p start has found. @p complete fills in the summary of a run that has ended or failed,
-     * before it is written. Throws NumericalError after the
-     * summary of a failed run has been written, Interrupted after a checkpoint.
+     * Runs from the start, or from @p checkpoint (nullptr: none), to the end. @p prepared is called
+     * in the state of the first step. @p complete fills in the summary of a run that has ended or
+     * failed, before it is written. Throws NumericalError after the summary of a failed run has
+     * been written, Interrupted after a checkpoint.
      */
     void run(const Checkpoint            *checkpoint,
-             double                       end_time,
-             double                       whole_time,
-             RunStart                    &start,
              const std::function<void()> &prepared,
              const std::function<void()> &complete);
 
-  private:
-    /** A checkpoint in memory, of this rank. */
-    struct Snapshot
-    {
-      std::string common, own;
-      double      alternating_share; ///< ExplicitSolver::alternating_share()
-    };
+  protected:
+    /** Passes what is the solver's: RunCheckpoints::Parts. */
+    virtual void serialize(ByteStream &common, ByteStream *own) = 0;
+    /** Takes the state to its first step. Throws NumericalError. */
+    virtual void prepare() = 0;
+    /** Takes the steps to the end, of a run that goes on from a checkpoint if @p resumed. Throws
+     * NumericalError, and what RunCheckpoints::before_step() throws. */
+    virtual void take_steps(RunSignals &signals, bool resumed) = 0;
+    /** The steps have ended, well or not: adds what the solver knows to the summary. */
+    virtual void end() = 0;
+    /** For the summary; that of steps says where they have failed. */
+    virtual std::string describe(const NumericalError &error) const;
 
-    void serialize_solver(ByteStream &common, ByteStream *own);
-    void keep_snapshot();
-    bool go_back(const NumericalError &error);
-    void before_step(RunSignals &signals, std::uint64_t last_step);
-    void finish(const std::function<void()> &complete);
-
-    OutputFolder   &folder_;
-    Log            &log_;
-    Model          &model_;
-    ExplicitSolver &solver_;
-    std::uint64_t   sample_steps_;
-    RunObservers    observers_;
-    FieldWriter    *fields_ = nullptr;
-    State           state_;
-    RunSummary      summary_;
-
+    OutputFolder  &folder_;
+    Log           &log_;
+    Model         &model_;
+    const RunTimes times_;
+    RunObservers   observers_;
+    State          state_;
+    RunSummary     summary_;
     RunCheckpoints checkpoints_;
-    RunStart      *start_ = nullptr;
-    std::vector<Snapshot>
-      snapshots_; ///< the first and the last two, while the step may be too long
+
+  private:
+    void finish(const std::function<void()> &complete);
   };
 } // namespace vfife
 

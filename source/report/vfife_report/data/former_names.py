@@ -1,105 +1,12 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-"""Names in result files of the previous version: columns, members of .json files, words in cells. They are those of the
-program (doc/columns.json). "*" at the begin or at the end stands for anything else: the name of a probe, a number."""
+"""Names in result files of the previous version: columns, members of .json files, words in cells. The program has them of the
+same former_names.json: file, former and present name. "*" at the begin or at the end stands for anything else."""
+import json
+from pathlib import Path
 
-FORMER_NAMES = {
-    "history.csv": {
-        "taken by the driven speed damping": "removed by the driven speed damping",
-    },
-    "teeth.csv": {
-        "slave group": "slave facet group",
-        "master group": "master facet group",
-    },
-    "root_sections.csv": {
-        "tension after the mesh": "tension after the mean contact",
-        "compression after the mesh": "compression after the mean contact",
-    },
-    "coupled_modes.csv": {
-        "share of the static turn": "share of the static rotation",
-        "turning": "rotating",
-        "standing": "fixed",
-    },
-    "waves_in_contact.csv": {
-        "share of the turn": "share of the rotation",
-        "amplitude of the turn": "amplitude of the rotation",
-    },
-    "resonance.csv": {
-        "time apart": "time without contact",
-    },
-    "wave_response.csv": {
-        "standing wave *": "stationary wave *",
-        "running wave *": "travelling wave *",
-    },
-    "waves_response.csv": {
-        "running wave": "travelling wave",
-    },
-    "differences.csv": {
-        "told apart": "significant",
-        "order told": "sign significant",
-        "not told apart": "not significant",
-        "swing frequency": "torsional mode frequency",
-        "* largest of a turn": "* largest per revolution",
-        "* median of a turn": "* median per revolution",
-    },
-    "sweep.csv": {
-        "swing frequency": "torsional mode frequency",
-        "* largest of a turn": "* largest per revolution",
-        "* median of a turn": "* median per revolution",
-    },
-    "root_stress.csv": {
-        "after the mesh": "position after the mean contact",
-    },
-    "gauges.csv": {
-        "after the mesh": "position after the mean contact",
-    },
-    "loaded_probes.csv": {
-        "after the mesh": "position after the mean contact",
-    },
-    "pressure.csv": {
-        "after the mesh": "position after the mean contact",
-    },
-    "error_bars.csv": {
-        "swing frequency": "torsional mode frequency",
-        "* largest of a turn": "* largest per revolution",
-        "* median of a turn": "* median per revolution",
-    },
-    "summary.json": {
-        "swing frequency, estimated": "torsional mode frequency, estimated",
-        "inertia of the swing": "inertia of the torsional mode",
-        "swing period": "torsional mode period",
-        "effective arm": "effective lever arm",
-        "least arm on the path of contact": "least lever arm on the path of contact",
-        "largest arm on the path of contact": "largest lever arm on the path of contact",
-        "torque over effective arm*": "torque over effective lever arm*",
-        "penalty springs, in teeth and rest": "penalty compliance, in teeth and rest",
-        "largest of a turn": "largest per revolution",
-        "median of a turn": "median per revolution",
-        "after the mesh": "position after the mean contact",
-        "passes the mesh": "time at the mean contact",
-        "taken by the driven speed damping": "removed by the driven speed damping",
-        "taken by the driven speed damping from the swing": "removed by the driven speed damping from the torsional mode",
-        "spin drift": "drift of rotation speed",
-        "contradictions": "input conflicts",
-    },
-    "lumped.json": {
-        "inertia of the swing, at the gear": "inertia of the torsional mode, at the gear",
-        "arm": "lever arm",
-        "backlash, turn of the gear": "backlash angle of the gear",
-        "time apart": "time without contact",
-    },
-    "tca.json": {
-        "play of the gear": "backlash angle of the gear",
-        "regularity at the fillet": "undercut indicator at the fillet",
-        "hand-over": "transfer point",
-        "hands over": "has a transfer point",
-        "hands over inside the flanks": "transfer point inside the flanks",
-        "edge takes over at": "edge contact starts at",
-        "approach before it carries": "approach before edge contact",
-    },
-    "edge_contact.json": {
-        "edges carry": "edge contact",
-    },
-}
+FORMER_NAMES = {}  # by file
+for _file, _former, _present in json.loads(Path(__file__).with_suffix(".json").read_text(encoding="utf-8")):
+    FORMER_NAMES.setdefault(_file, {})[_former] = _present
 
 
 def replace_name(name, former, present):

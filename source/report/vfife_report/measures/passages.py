@@ -9,51 +9,32 @@ DURATION_LEVEL, DURATION_LEVEL_IN_WORDS = 0.1, "a tenth"  # of the rise over the
 
 @dataclass
 class Passage:
-    """Stress at a probe [MPa] while its sector passes the mesh: a rise above the steady stress, or a dip below it."""
-    peak: float  # largest of the record
-    peak_time: float  # [s]
-    least: float  # of the record
-    steady: float  # median of a whole turn, or of the record outside the passage
-    is_dip: bool  # the passage is where the stress is least
-    duration: float  # time around the largest deviation with |stress - steady| above the level [s]
+    """How the stress at a probe leaves its median while its sector passes the mesh: it rises, or falls."""
+    is_dip: bool  # the largest deviation is below the median
+    duration: float  # time around the largest deviation with |stress - median| above the level [s]
     whole: bool  # begins and ends within the record
 
 
-def find_passage(time, stress, median_of_turn=None):
-    """The passage with the largest deviation from the median: that of a whole turn where it is known, since a record of a
-    part of one may have little outside the passage; else the steady value and the passage depend on each other, and both
-    are repeated until they stay. None without at least ten samples."""
+def find_passage(time, stress, median):
+    """The passage with the largest deviation from the median of a whole turn. None without at least ten samples."""
     if len(time) < 10 or np.ptp(stress) == 0:
         return None
-    outside = np.ones(len(time), dtype=bool)
-    top = np.argmax(np.abs(stress - (np.median(stress) if median_of_turn is None else median_of_turn)))
-    for _ in range(20):
-        steady = np.median(stress[outside]) if np.any(outside) else np.median(stress)
-        steady = steady if median_of_turn is None else median_of_turn
-        quiet = np.abs(stress - steady) < DURATION_LEVEL * abs(stress[top] - steady)
-        before, after = np.flatnonzero(quiet[:top]), np.flatnonzero(quiet[top:])
-        first = before[-1] + 1 if len(before) else 0
-        last = top + after[0] - 1 if len(after) else len(time) - 1
-        inside = (np.arange(len(time)) >= first) & (np.arange(len(time)) <= last)
-        if np.array_equal(inside, ~outside):
-            break
-        outside = ~inside
-    whole = bool(len(before) and len(after))
-    peak = np.argmax(stress)
-    return Passage(stress[peak], time[peak], stress.min(), steady, bool(stress[top] < steady), time[last] - time[first], whole)
+    deviation = np.abs(stress - median)
+    top = np.argmax(deviation)
+    quiet = np.flatnonzero(deviation < DURATION_LEVEL * deviation[top])
+    before, after = quiet[quiet < top], quiet[quiet > top]
+    first = before[-1] + 1 if len(before) else 0
+    last = after[0] - 1 if len(after) else len(time) - 1
+    return Passage(bool(stress[top] < median), time[last] - time[first], bool(len(before) and len(after)))
 
 
 def find_passages(run):
-    """Name and passage of each probe of a run that has one."""
-    if run.probes is None:
-        return
-    for name in dict.fromkeys(run.probes["probe"]):
+    """Name, record in the summary and passage of each probe of a run that has one."""
+    for name, record in run.summary.get("probes", {}).items() if run.probes is not None else ():
         rows = run.probes["probe"] == name
-        turn = run.summary.get("probes", {}).get(name)
-        passage = find_passage(run.probes["time"][rows], run.probes["von mises"][rows],
-                               turn["median per revolution"]["value"] if turn else None)
+        passage = find_passage(run.probes["time"][rows], run.probes["von mises"][rows], record["median per revolution"]["value"])
         if passage:
-            yield name, passage
+            yield name, record, passage
 
 
 @dataclass

@@ -65,16 +65,11 @@ def list_probe_quantities(run):
     for name, one in run.summary.get("figures", {}).items():
         if "largest von Mises stress" in name:
             yield label_quantity(name), one["value"], one["unit"]
-    for name, passage in find_passages(run):
-        yield f"{name}, peak von Mises stress", passage.peak, "MPa"
-        yield f"{name}, least von Mises stress", passage.least, "MPa"
-        # A record of a part of a revolution has a median of its own, not that of all sectors.
-        turn = run.summary.get("probes", {}).get(name)
-        if turn:
-            yield f"{name}, largest von Mises stress of one rotation", turn["largest per revolution"]["value"], "MPa"
-            yield f"{name}, median von Mises stress of one rotation", turn["median per revolution"]["value"], "MPa"
-        else:
-            yield f"{name}, median von Mises stress outside the gear mesh", passage.steady, "MPa"
+    for name, record, passage in find_passages(run):
+        for quantity, words in (("largest of the record", "peak von Mises stress"), ("least of the record", "least von Mises stress"),
+                                ("largest per revolution", "largest von Mises stress of one rotation"),
+                                ("median per revolution", "median von Mises stress of one rotation")):
+            yield f"{name}, {words}", record[quantity]["value"], "MPa"
         if passage.whole:
             yield f"{name}, duration of the stress cycle in the gear mesh", 1e3 * passage.duration, "ms"
 

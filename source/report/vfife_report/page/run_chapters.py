@@ -107,13 +107,13 @@ def tell_probes(run, plots):
         return
     yield Cells(["probe", "peak [MPa]", "time of the peak [ms]", "least [MPa]", "median [MPa]", "deviation in the gear mesh",
                  "duration [ms]", "deviation within the record"],
-                [[name, p.peak, 1e3 * p.peak_time, p.least, p.steady, "decrease" if p.is_dip else "increase",
+                [[name, record["largest of the record"]["value"], 1e3 * record["at"]["value"], record["least of the record"]["value"],
+                  record["median per revolution"]["value"], "decrease" if p.is_dip else "increase",
                   1e3 * p.duration if p.whole else None,
                   "complete" if p.whole else "cut off"]
-                 for name, p in find_passages(run)],
-                "Peak and least value cover the whole record. The median is that of one rotation. If the probe is not recorded in all "
-                "sectors, the median excludes the time in the gear mesh. The duration is the time in which the deviation from the "
-                f"median exceeds {DURATION_LEVEL_IN_WORDS} of the largest."
+                 for name, record, p in find_passages(run)],
+                "Peak and least value cover the whole record. The median is that of one rotation. The duration is the time in which the "
+                f"deviation from the median exceeds {DURATION_LEVEL_IN_WORDS} of the largest."
                 + " Node A is at the foot of the web: at a sharp corner its stress depends on the mesh." * has_sharp_foot(run))
     for probe in run.summary.get("probes", {}).values():
         yield Paragraph(probe["explanation"] + ".")

@@ -91,11 +91,11 @@ def draw_probes(study):
     plot, panels = plt.subplots(len(names), 1, sharex=True, squeeze=False,
                                 figsize=(8, 1 + 2.6 * len(names)))
     for variant in variants:
-        probes, passages = variant.run.probes, dict(find_passages(variant.run))
+        probes, peaks = variant.run.probes, {name: record["at"]["value"] for name, record, _ in find_passages(variant.run)}
         for axes, name in zip(panels[:, 0], names):
-            if name in passages:
+            if name in peaks:
                 rows = probes["probe"] == name
-                axes.plot(1e3 * (probes["time"][rows] - passages[name].peak_time),
+                axes.plot(1e3 * (probes["time"][rows] - peaks[name]),
                           probes["von mises"][rows], label=variant.name, **look(variant))
     for axes, name in zip(panels[:, 0], names):
         axes.set(title=name, ylabel="von Mises stress [MPa]")

@@ -33,7 +33,7 @@ namespace vfife
       return rows;
     }
 
-    double mean_of(const std::vector<double> &values, const std::vector<std::size_t> &rows)
+    double mean_of_rows(const std::vector<double> &values, const std::vector<std::size_t> &rows)
     {
       double sum = 0;
       for (const std::size_t i : rows)
@@ -52,7 +52,7 @@ namespace vfife
       for (const auto &[bearing, own] : of_bearing)
         for (unsigned int c = 0; c < 3; ++c)
           means[bearing][c] =
-            mean_of(table.numbers(std::string("force ") + column::fixed_axes[c]), own);
+            mean_of_rows(table.numbers(std::string("force ") + column::fixed_axes[c]), own);
       return means;
     }
 
@@ -97,14 +97,15 @@ namespace vfife
       std::map<std::string, double> largest; // by unit
       for (const MountingNumber &number : list_numbers(Mounting()))
         largest[number.unit] =
-          std::max(largest[number.unit], std::abs(mean_of(reference.numbers(number.name), all)));
+          std::max(largest[number.unit],
+                   std::abs(mean_of_rows(reference.numbers(number.name), all)));
       for (const MountingNumber &number : list_numbers(Mounting()))
         {
           ComparisonRow row{
             "misalignment, mean " + number.name,
             number.unit,
-            mean_of(table.numbers(number.name), steady),
-            mean_of(reference.numbers(number.name), all),
+            mean_of_rows(table.numbers(number.name), steady),
+            mean_of_rows(reference.numbers(number.name), all),
             "FEM",
             {},
             "tolerance of the transmission error, relative to the largest in this unit"};

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/sample_measures.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/base/types.h>
 #include <vfife/output/files/result_places.h>
@@ -13,18 +14,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 
 namespace vfife
 {
   namespace
   {
-    double mean(const std::vector<double> &values)
-    {
-      return std::accumulate(values.begin(), values.end(), 0.) / values.size();
-    }
-
     /**
      * Arms of the contact force of a run, as its summary states them. The mean force is the torque
      * over a mean of the arms at which tooth pairs carry, and these lie along the path of contact:
@@ -69,15 +64,6 @@ namespace vfife
       double mean_, least_, largest_; ///< [mm]
     };
 
-    /** NaN without a value, and where one is not a number, which no comparison finds. */
-    double peak_to_peak(const std::vector<double> &values)
-    {
-      if (values.empty() || std::isnan(std::accumulate(values.begin(), values.end(), 0.)))
-        return not_known;
-      const auto ends = std::minmax_element(values.begin(), values.end());
-      return *ends.second - *ends.first;
-    }
-
     /** How much the transmission error swings over a mesh cycle, and how far the run is from the
      * static @p curve anywhere, both at those of its positions that the run passes. */
     void add_static_curve(const PairRun             &run,
@@ -112,23 +98,23 @@ namespace vfife
       // 2. The rows.
       ComparisonRow row{"dte over the mesh cycle, peak to peak",
                         "arcsec",
-                        peak_to_peak(passed),
-                        peak_to_peak(reference),
+                        peak_to_peak_of(passed),
+                        peak_to_peak_of(reference),
                         "FEM",
                         {},
                         where + "; tolerance of the mean on both ends"};
       // The largest and the least value may each be off, to opposite sides.
-      run.judge_slow_ripple(2 * run.tolerances.error * std::abs(mean(curve)), row, 2 * swing);
+      run.judge_slow_ripple(2 * run.tolerances.error * std::abs(mean_of(curve)), row, 2 * swing);
       rows.push_back(row);
 
       row = {"dte over the mesh cycle, largest distance from the static curve",
              "arcsec",
-             passed.empty() ? peak_to_peak({}) : peak_to_peak(off), // from 0 on
+             passed.empty() ? peak_to_peak_of({}) : peak_to_peak_of(off), // from 0 on
              0.,
              "FEM",
              {},
              where + "; tolerance of the mean"};
-      run.judge_slow(run.tolerances.error * std::abs(mean(curve)), row, swing);
+      run.judge_slow(run.tolerances.error * std::abs(mean_of(curve)), row, swing);
       rows.push_back(row);
     }
 
@@ -143,7 +129,7 @@ namespace vfife
       const std::vector<double> &curve     = table.numbers(column::transmission_error);
 
       ComparisonRow row{
-        "mean dte", "arcsec", run.steady_mean(column::dte), mean(curve), "FEM", {}, ""};
+        "mean dte", "arcsec", run.steady_mean(column::dte), mean_of(curve), "FEM", {}, ""};
       row.reason = "loaded contact analysis of the same mesh and penalty, mean over " +
                    std::to_string(positions.size()) + " positions";
       run.judge_slow(run.tolerances.error * std::abs(row.reference), row);
@@ -156,7 +142,7 @@ namespace vfife
       row = {"mean contact force",
              "N",
              run.steady_mean(column::contact_force_total),
-             mean(table.numbers(column::contact_force_total)),
+             mean_of(table.numbers(column::contact_force_total)),
              "FEM",
              {},
              ""};

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/sample_measures.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/base/text/figure_text.h>
 #include <vfife/lumped/fourier_series.h>
@@ -25,16 +26,6 @@ namespace vfife
       std::vector<double> values;
       double              scatter  = 0; ///< of single meshes about it, rms
       unsigned int        n_meshes = 0;
-
-      double mean() const
-      {
-        return std::accumulate(values.begin(), values.end(), 0.) / values.size();
-      }
-      double peak_to_peak() const
-      {
-        const auto ends = std::minmax_element(values.begin(), values.end());
-        return *ends.second - *ends.first;
-      }
     };
 
     /** Orders with the largest amplitudes in either curve, ascending. */
@@ -82,9 +73,10 @@ namespace vfife
     /** Distance of two curves less their means, rms. */
     double distance(const MeanMesh &a, const MeanMesh &b)
     {
-      double sum = 0;
+      const double mean = mean_of(a.values), other = mean_of(b.values);
+      double       sum = 0;
       for (unsigned int i = 0; i < n_positions; ++i)
-        sum += std::pow(a.values[i] - a.mean() - b.values[i] + b.mean(), 2) / n_positions;
+        sum += std::pow(a.values[i] - mean - b.values[i] + other, 2) / n_positions;
       return std::sqrt(sum);
     }
 
@@ -115,7 +107,8 @@ namespace vfife
         return;
       // What single meshes of the run scatter by their mean does, too, over the root of their
       // number.
-      const double part = run.tolerances.reduced_ripple * one->peak_to_peak(), noise = one->scatter;
+      const double part  = run.tolerances.reduced_ripple * peak_to_peak_of(one->values),
+                   noise = one->scatter;
       add(run,
           reduced,
           std::max(part, noise),
