@@ -96,6 +96,12 @@ namespace
     check_below("numbers alone: the last one is the root's at the heel [mm]",
                 (measured.back() - (last.position - 5. * um * last.normal)).norm(),
                 1e-9);
+    std::ofstream("reversed.csv") << "row,column,h [mm],deviation [um]\n"
+                                     "1,1,2,0\n1,2,2,0\n2,1,6,0\n2,2,6,0\n";
+    const std::string refusal = message_of([&] {
+      read_measured_points("reversed.csv", read.gear(), FlankSide::concave, MeasuringGrid());
+    });
+    check("a grid from root to tip is refused", has_text(refusal, "rows go from tip to root"));
     write("points.csv", table);
     check_below("positions from a table [mm]",
                 (read_measured_points("points.csv", read.gear(), FlankSide::convex, grid)[7] -

@@ -41,6 +41,40 @@ namespace
     return readings;
   }
 
+  /** Largest tension and compression at mid-face: means of the two columns of facets beside it, as
+   * read_fillets() reads them. */
+  RootStresses find_at_middle(const std::deque<MemberFillet> &fillets,
+                              const Eigen::VectorXd          &values,
+                              std::size_t                     n)
+  {
+    std::size_t n_facets = 0;
+    for (const MemberFillet &member : fillets)
+      n_facets += member.fillet.n_columns() * (member.fillet.end_row() - Fillet::first_row);
+    const std::size_t of_facet = n / n_facets;
+    RootStresses      middle;
+    std::size_t       at = 0;
+    for (const MemberFillet &member : fillets)
+      for (unsigned int column = 0; column < member.fillet.n_columns(); ++column)
+        {
+          double tension = 0., compression = 0.;
+          for (unsigned int row = Fillet::first_row; row < member.fillet.end_row(); ++row)
+            for (std::size_t point = 0; point < of_facet / 3; ++point, at += 3)
+              {
+                const PrincipalStresses stress = compute_principal_stresses(
+                  compute_surface_stress(values.segment<3>(at), member.fillet.material()));
+                tension     = largest_of(tension, stress.first);
+                compression = std::min(compression, stress.third);
+              }
+          if (2 * column + 2 < member.fillet.n_columns() || 2 * column > member.fillet.n_columns())
+            continue;
+          if (member.fillet.side() == surface_name::concave)
+            middle.tension += .5 * tension;
+          else
+            middle.compression += .5 * compression;
+        }
+    return middle;
+  }
+
   /** A body that grows evenly under pressure from all sides: 3 lambda + 2 mu times the strain. */
   void check_even_growth(const FemSpace &sector, const std::vector<PointReading> &tractions)
   {
@@ -136,5 +170,14 @@ int main(int argc, char **argv)
               .15);
   check_close("tension, submodel and reference [MPa]", found.tension, 851., .03 * 851.);
   check_close("compression, submodel and reference [MPa]", found.compression, -785., .05 * 785.);
+  const RootStresses middle = find_at_middle(fillets, values, strains.size());
+  check_close("tension at mid-face, submodel and reference [MPa]",
+              middle.tension,
+              565.,
+              .03 * 565.);
+  check_close("compression at mid-face, submodel and reference [MPa]",
+              middle.compression,
+              -615.,
+              .03 * 615.);
   return 0;
 }

@@ -92,8 +92,6 @@ namespace vfife
      * columns do: from tip to root and from toe to heel. */
     void check_places(const std::string &path)
     {
-      if (!has_headings(path))
-        return;
       const Table table = read_parameter_table(path);
       const auto  check = [&](const char *name, const bool along, const char *wrong) {
         if (std::none_of(table.columns().begin(), table.columns().end(), [&](const auto &column) {
@@ -223,14 +221,20 @@ namespace vfife
     return deviations;
   }
 
+  Eigen::MatrixXd read_deviation_grid(const std::string &path)
+  {
+    if (has_headings(path))
+      check_places(path);
+    return read_parameter_grid(path, "deviation", "um");
+  }
+
   Eigen::MatrixXd FlankErrorOptions::read_topography(const std::string &section) const
   {
     if (topography.empty())
       return {};
     // protocols have the tip above
     return read_entry(section + "/topography", [&]() -> Eigen::MatrixXd {
-      check_places(topography);
-      return micrometre * read_parameter_grid(topography, "deviation", "um").colwise().reverse();
+      return micrometre * read_deviation_grid(topography).colwise().reverse();
     });
   }
 

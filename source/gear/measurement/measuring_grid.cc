@@ -2,6 +2,7 @@
 #include <vfife/base/parameters/parameter_grid.h>
 #include <vfife/base/parameters/parameter_table.h>
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/gear/errors/member_error_options.h>
 #include <vfife/gear/measurement/measuring_grid.h>
 
 #include <algorithm>
@@ -91,7 +92,7 @@ namespace vfife
           }
       }
     // 2. Deviations from the flank as it is designed.
-    const Eigen::MatrixXd deviations  = read_parameter_grid(path, "deviation", "um");
+    const Eigen::MatrixXd deviations  = read_deviation_grid(path);
     MeasuringGrid         own         = grid;
     own.rows                          = deviations.rows();
     own.columns                       = deviations.cols();

@@ -14,6 +14,11 @@ namespace dealii
 
 namespace vfife
 {
+  /** A grid of deviations [um]: a row per profile position from tip to root, a column per position
+   * from toe to heel. Throws InputError, also where columns L and h of a table have another order.
+   */
+  Eigen::MatrixXd read_deviation_grid(const std::string &path);
+
   /** Errors of one flank of all teeth of a member: content of "Errors/MEMBER/Concave flank". */
   struct FlankErrorOptions
   {
