@@ -10,7 +10,8 @@
 #include <vfife/study/benchmark/contact_benchmark.h>
 #include <vfife/study/benchmark/operator_benchmark.h>
 #include <vfife/study/benchmark/rank_benchmark.h>
-#include <vfife/study/cases/gear_case.h>
+#include <vfife/study/cases/case_kinds.h>
+#include <vfife/study/cases/pair_case.h>
 #include <vfife/study/study_kinds.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -120,7 +121,8 @@ namespace vfife
     public:
       void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override
       {
-        gear_case_.declare(prm, file);
+        pair_case_ = make_pair_case(file);
+        pair_case_->declare(prm, file);
         benchmark_.declare(prm);
         contact_.declare(prm);
         ranks_.declare(prm);
@@ -128,22 +130,22 @@ namespace vfife
 
       void check() const override
       {
-        gear_case_.check_bodies();
+        pair_case_->check_bodies();
         check_mesh_size("Benchmark/cells", std::pow(benchmark_.cells, 3.));
       }
 
       void inspect(Communicator &, Log &log) override
       {
-        gear_case_.make_model(log);
+        pair_case_->make_model(log);
       }
 
       void run(OutputFolder &folder, Log &log) override;
 
     private:
-      GearCase                gear_case_;
-      BenchmarkOptions        benchmark_;
-      ContactBenchmarkOptions contact_;
-      RankBenchmarkOptions    ranks_;
+      std::unique_ptr<PairCase> pair_case_;
+      BenchmarkOptions          benchmark_;
+      ContactBenchmarkOptions   contact_;
+      RankBenchmarkOptions      ranks_;
     };
   } // namespace
 
@@ -183,7 +185,7 @@ namespace vfife
   {
     // Each rank measures alone; what the ranks share is the memory.
     const Communicator  alone(MPI_COMM_SELF);
-    const Model         pair    = gear_case_.make_model(log);
+    const Model         pair    = pair_case_->make_model(log);
     const Model         general = make_general_model(benchmark_.cells);
     const unsigned int  n       = benchmark_.plain_elements;
     const StiffnessKind modes = StiffnessKind::incompatible_modes, full = StiffnessKind::full,

@@ -163,44 +163,9 @@ namespace vfife
     return 0.;
   }
 
-  bool Case::has_teeth() const
+  const PairCase *Case::pair() const
   {
-    return false;
-  }
-
-  bool Case::leaves_penalty_open() const
-  {
-    return false;
-  }
-
-  std::optional<Model> Case::make_reference_model() const
-  {
-    return std::nullopt;
-  }
-
-  std::optional<Model> Case::make_submodel_mesh(unsigned int) const
-  {
-    return std::nullopt;
-  }
-
-  HertzContact Case::hertz_contact() const
-  {
-    return {};
-  }
-
-  std::optional<std::array<BlankOutline, 2>> Case::outlines() const
-  {
-    return {};
-  }
-
-  std::optional<Vector2> Case::arm_range() const
-  {
-    return {};
-  }
-
-  std::optional<EdgesUnderLoad> Case::edges_under_load() const
-  {
-    return {};
+    return nullptr;
   }
 
   std::vector<std::string> Case::report_checks(const RunPlan &, Log &) const

@@ -11,6 +11,11 @@ namespace vfife
     // A file that says nothing of either is one of a gear pair, as most kinds want it.
     if (file.contains("Model") && !file.contains("Gear pair"))
       return std::make_unique<ModelCase>();
+    return make_pair_case(file);
+  }
+
+  std::unique_ptr<PairCase> make_pair_case(const ParameterFile &)
+  {
     return std::make_unique<GearCase>();
   }
 } // namespace vfife

@@ -5,6 +5,7 @@
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/log.h>
+#include <vfife/gear/flank_points.h>
 #include <vfife/gear/rating/iso10300_b1.h>
 #include <vfife/gear/unloaded_contact/contact_analysis.h>
 #include <vfife/gear/unloaded_contact/unloaded_contact.h>
@@ -225,11 +226,6 @@ namespace vfife
     return members_[1].body.web == WebKind::conical;
   }
 
-  bool GearCase::has_teeth() const
-  {
-    return true;
-  }
-
   HertzContact GearCase::hertz_contact() const
   {
     const UnloadedContact contact(GearPair(pair_), working_side());
@@ -239,18 +235,51 @@ namespace vfife
     return HertzContact(curvatures, pair_modulus());
   }
 
-  BevelRating GearCase::nominal_stresses() const
+  NamedFigures GearCase::rate(Log &log) const
   {
-    return iso10300_b1(rated_pair(make_pair(), working_side(), pair_modulus()), torque_on(0));
+    try
+      {
+        const BevelRating rating =
+          iso10300_b1(rated_pair(make_pair(), working_side(), pair_modulus()), torque_on(0));
+        const double pinion = rating.teeth[0].root_stress, gear = rating.teeth[1].root_stress;
+        log.line("ISO 10300 method B1, without factors K: contact stress ",
+                 rating.contact_stress,
+                 " MPa, root stress ",
+                 pinion,
+                 " MPa (pinion), ",
+                 gear,
+                 " MPa (gear)");
+        return {{"nominal contact stress of iso 10300 b1", {rating.contact_stress, "MPa"}},
+                {"pinion nominal root stress of iso 10300 b1", {pinion, "MPa"}},
+                {"gear nominal root stress of iso 10300 b1", {gear, "MPa"}}};
+      }
+    catch (const InputError &error)
+      {
+        log.line("no nominal stresses. ", error.what());
+        return {};
+      }
   }
 
-  std::optional<std::array<BlankOutline, 2>> GearCase::outlines() const
+  std::array<BlankOutline, 2> GearCase::outlines() const
   {
     const GearPair pair = make_pair();
-    return {{{pair.pinion().blank(), pair.gear().blank()}}};
+    return {{pair.pinion().blank(), pair.gear().blank()}};
   }
 
-  std::optional<Vector2> GearCase::arm_range() const
+  double GearCase::backlash_angle() const
+  {
+    return make_pair().backlash_angle();
+  }
+
+  Table GearCase::flank_points(const unsigned int member,
+                               const unsigned int lengthwise,
+                               const unsigned int profile) const
+  {
+    const GearPair pair = make_pair();
+    return compute_flank_points(member == 0 ? pair.pinion() : pair.gear(), lengthwise, profile);
+  }
+
+  Vector2 GearCase::arm_range() const
   {
     const ContactAnalysis analysis =
       analyse_contact(GearPair(pair_), working_side(), ContactAnalysisOptions());

@@ -10,7 +10,6 @@
 #include <vfife/output/output_options.h>
 #include <vfife/study/cases/contact_resolution.h>
 #include <vfife/study/cases/gear_case.h>
-#include <vfife/study/cases/run_plan.h>
 #include <vfife/study/cases/torque_pressure.h>
 
 #include <cmath>

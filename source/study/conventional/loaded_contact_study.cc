@@ -12,7 +12,6 @@
 #include <vfife/fem/fem_options.h>
 #include <vfife/fem/pair/pair_equilibrium.h>
 #include <vfife/fem/statics/static_solver.h>
-#include <vfife/gear/rating/iso10300_b1.h>
 #include <vfife/mesh/node_set_names.h>
 #include <vfife/model/load_torque.h>
 #include <vfife/output/files/output_folder.h>
@@ -22,8 +21,8 @@
 #include <vfife/output/observers/part_stress_watch.h>
 #include <vfife/output/output_options.h>
 #include <vfife/output/pictures.h>
-#include <vfife/study/cases/gear_case.h>
-#include <vfife/study/cases/run_plan.h>
+#include <vfife/study/cases/case_kinds.h>
+#include <vfife/study/cases/pair_case.h>
 #include <vfife/study/conventional/loaded_contact_study.h>
 #include <vfife/study/conventional/loaded_contact_tables.h>
 #include <vfife/study/conventional/loaded_fields.h>
@@ -115,7 +114,8 @@ namespace vfife
 
       void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override
       {
-        gear_case_.declare(prm, file);
+        pair_case_ = make_pair_case(file);
+        pair_case_->declare(prm, file);
         dynamics_.declare(prm);
         output_.declare(prm);
         declare_section(prm, "Fem", fem_);
@@ -125,9 +125,9 @@ namespace vfife
 
       void check() const override
       {
-        gear_case_.check_at_rest();
-        gear_case_.operation().require_driving_pinion("Operation", study_word);
-        gear_case_.operation().require_constant("Operation", study_word);
+        pair_case_->check_at_rest();
+        pair_case_->operation().require_driving_pinion("Operation", study_word);
+        pair_case_->operation().require_constant("Operation", study_word);
         dynamics_.check("Dynamics");
         fem_.check("Fem");
         if (fem_.distributed)
@@ -139,9 +139,9 @@ namespace vfife
 
       void inspect(Communicator &, Log &log) override
       {
-        const Model model = gear_case_.make_model(log); // what is wrong with it, and what it is
+        const Model model = pair_case_->make_model(log); // what is wrong with it, and what it is
         RootStress(model, fillets_);
-        if (gear_case_.leaves_penalty_open())
+        if (pair_case_->leaves_penalty_open())
           log.line("penalty by the contact's own grid; ", options_.positions, " positions");
         else
           log.line("penalty of a run of this file ",
@@ -149,7 +149,7 @@ namespace vfife
                    " N/mm^3; ",
                    options_.positions,
                    " positions");
-        gear_case_.report_checks({&model}, log);
+        pair_case_->report_checks({&model}, log);
       }
 
       void run(OutputFolder &folder, Log &log) override;
@@ -174,7 +174,7 @@ namespace vfife
       unsigned int n_pressure_cells() const
       {
         // Nodal forces of coarse flanks change root stresses by up to a fifth.
-        const bool needed = gear_case_.leaves_penalty_open() || fillets_.follows_submodels();
+        const bool needed = pair_case_->leaves_penalty_open() || fillets_.follows_submodels();
         return options_.pressure_cells.is_word && !needed ? 0 : options_.pressure_cells.number;
       }
       /** What the contact's own grid changes of the transmission error [rad]; where it was not
@@ -200,7 +200,7 @@ namespace vfife
         std::vector<Position> positions;
         for (unsigned int i = 0; i < options_.positions; ++i)
           positions.push_back({options_.first_mesh + i / double(options_.positions), false});
-        const auto edges = gear_case_.edges_under_load();
+        const auto edges = pair_case_->edges_under_load();
         if (edges && options_.positions >= least_positions_with_edges)
           for (const double place : edges->positions())
             positions.push_back({options_.first_mesh + place, true});
@@ -221,20 +221,17 @@ namespace vfife
       /** Whether edges carry, and Hertz's pressure of the tooth pair that carries most. */
       NamedFigures judge_teeth(const OutputFolder &folder, Log &log) const;
 
-      /** Nominal stresses of ISO 10300 for comparison; none where the standard does not apply. */
-      NamedFigures rate_pair(Log &log) const;
-
       /** None where it is not asked for. */
       std::unique_ptr<LoadedPressure> make_pressure(const Model &model,
                                                     Compliance  &compliance) const;
 
-      GearCase             gear_case_;
-      DynamicsOptions      dynamics_;
-      OutputOptions        output_;
-      FemOptions           fem_;
-      LoadedContactOptions options_;
-      FilletOptions        fillets_;
-      Table                positions_, teeth_;
+      std::unique_ptr<PairCase> pair_case_;
+      DynamicsOptions           dynamics_;
+      OutputOptions             output_;
+      FemOptions                fem_;
+      LoadedContactOptions      options_;
+      FilletOptions             fillets_;
+      Table                     positions_, teeth_;
     };
 
     PairErrors
@@ -272,16 +269,16 @@ namespace vfife
 
   void LoadedContactStudy::run(OutputFolder &folder, Log &log)
   {
-    Model      model   = gear_case_.make_model(log);
+    Model      model   = pair_case_->make_model(log);
     RunSummary summary = start_summary(study_word, model, folder);
     for (unsigned int member = 0; member < model.bodies.size(); ++member)
       summary.figures.push_back({figure_name::torque_of(model.bodies[member].name()),
-                                 {1e-3 * gear_case_.torque_on(member), "N m"}});
+                                 {1e-3 * pair_case_->torque_on(member), "N m"}});
     fem_.choose_elements(can_afford_quadratic(model), log);
     summary.figures.push_back(
       {figure_name::degree_of_elements, {double(degree_of(fem_.element)), "-"}});
-    summary.contradictions = gear_case_.report_checks({&model}, log);
-    summary.cause          = gear_case_.find_cause();
+    summary.contradictions = pair_case_->report_checks({&model}, log);
+    summary.cause          = pair_case_->find_cause();
     const auto begin       = WallClock::now();
     try
       {
@@ -309,8 +306,8 @@ namespace vfife
              compliance.by_sectors() ? " MB by one sector of each body in " : " MB in ",
              seconds_since(start),
              " s");
-    if (needs_calibration(gear_case_, model))
-      calibrate_penalty(gear_case_, compliance, log, model);
+    if (needs_calibration(*pair_case_, model))
+      calibrate_penalty(*pair_case_, compliance, log, model);
     log.line("penalty ", model.contacts.front().mean_penalty(), " N/mm^3");
     const double                pitch     = 2 * pi / model.transmission->driver_teeth;
     const std::vector<Position> positions = list_positions();
@@ -321,7 +318,7 @@ namespace vfife
     PairEquilibrium equilibrium(model, compliance, turns);
     Recorders       recorders(model,
                         fillets_,
-                        make_root_submodels(gear_case_, fillets_, model, log),
+                        make_root_submodels(*pair_case_, fillets_, model, log),
                         options_.centrifugal,
                         folder,
                         output_);
@@ -346,7 +343,7 @@ namespace vfife
             // Where the penalty is open, the grid shares the load.
             const double change =
               find_change(turn / pitch, errors, equilibrium, result, *pressure, log);
-            errors.loaded += gear_case_.leaves_penalty_open() ? change : 0.;
+            errors.loaded += pair_case_->leaves_penalty_open() ? change : 0.;
           }
         add_position(model, errors, turn / pitch, result, stresses, log);
         recorders.add(turn / pitch, compliance.space(), equilibrium, result, stresses);
@@ -411,8 +408,8 @@ namespace vfife
       figures.insert(figures.end(), more.begin(), more.end());
     };
     add(judge_teeth(folder, log));
-    add(rate_pair(log));
-    add(recorders.pattern.figures(gear_case_.make_pair(), model.contacts[0].side));
+    add(pair_case_->rate(log));
+    add(recorders.pattern.figures(pair_case_->outlines(), model.contacts[0].side));
     add(recorders.parts.list_figures());
     recorders.fillets.write(folder, log);
     if (recorders.pressure)
@@ -428,36 +425,12 @@ namespace vfife
   NamedFigures LoadedContactStudy::judge_teeth(const OutputFolder &folder, Log &log) const
   {
     NamedFigures figures =
-      write_edge_contact(gear_case_.edges_under_load(), teeth_, column::position, 1., folder, log);
+      write_edge_contact(pair_case_->edges_under_load(), teeth_, column::position, 1., folder, log);
     const std::vector<double> &forces = teeth_.numbers(column::force);
     const double               force  = *std::max_element(forces.begin(), forces.end());
     figures.push_back({"hertz pressure of the largest force of a tooth pair",
-                       {gear_case_.hertz_contact().largest_pressure(force), "MPa"}});
+                       {pair_case_->hertz_contact().largest_pressure(force), "MPa"}});
     return figures;
-  }
-
-  NamedFigures LoadedContactStudy::rate_pair(Log &log) const
-  {
-    try
-      {
-        const BevelRating rating = gear_case_.nominal_stresses();
-        const double      pinion = rating.teeth[0].root_stress, gear = rating.teeth[1].root_stress;
-        log.line("ISO 10300 method B1, without factors K: contact stress ",
-                 rating.contact_stress,
-                 " MPa, root stress ",
-                 pinion,
-                 " MPa (pinion), ",
-                 gear,
-                 " MPa (gear)");
-        return {{"nominal contact stress of iso 10300 b1", {rating.contact_stress, "MPa"}},
-                {"pinion nominal root stress of iso 10300 b1", {pinion, "MPa"}},
-                {"gear nominal root stress of iso 10300 b1", {gear, "MPa"}}};
-      }
-    catch (const InputError &error)
-      {
-        log.line("no nominal stresses. ", error.what());
-        return {};
-      }
   }
 
   std::unique_ptr<LoadedPressure> LoadedContactStudy::make_pressure(const Model &model,
@@ -466,11 +439,11 @@ namespace vfife
     if (n_pressure_cells() == 0)
       return nullptr;
     return std::make_unique<LoadedPressure>(model,
-                                            *gear_case_.outlines(),
+                                            pair_case_->outlines(),
                                             compliance,
                                             choose_pressure_depth(options_.pressure_depth,
                                                                   model,
-                                                                  gear_case_.hertz_contact()),
+                                                                  pair_case_->hertz_contact()),
                                             n_pressure_cells());
   }
 

@@ -1,6 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/fem/pair/pair_equilibrium.h>
-#include <vfife/gear/spiral_bevel/gear_pair.h>
 #include <vfife/model/model.h>
 #include <vfife/study/conventional/loaded_pattern.h>
 #include <vfife/study/pressure/flank_place.h>
@@ -31,16 +30,16 @@ namespace vfife
     return pattern_.table(model_);
   }
 
-  NamedFigures LoadedPattern::figures(const GearPair &pair, const std::string &side) const
+  NamedFigures LoadedPattern::figures(const std::array<BlankOutline, 2> &outlines,
+                                      const std::string                 &side) const
   {
     NamedFigures figures;
     for (const ContactPattern::Flank &flank : pattern_.flanks())
       if (flank.side == side)
         {
           // Body 0 of a gear pair is the pinion.
-          const Vector2 centre =
-            place_on_flank((flank.body == 0 ? pair.pinion() : pair.gear()).blank(), flank.centre());
-          const std::string &of = model_.bodies[flank.body].name();
+          const Vector2      centre = place_on_flank(outlines[flank.body], flank.centre());
+          const std::string &of     = model_.bodies[flank.body].name();
           figures.push_back({"pattern along the face, " + of, {centre[0], "mm"}});
           figures.push_back({"pattern along the profile, " + of, {centre[1], "mm"}});
         }

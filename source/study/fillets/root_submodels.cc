@@ -3,7 +3,7 @@
 #include <vfife/base/process/wall_clock.h>
 #include <vfife/mesh/node_set_names.h>
 #include <vfife/stress/fillet_options.h>
-#include <vfife/study/cases/case.h>
+#include <vfife/study/cases/pair_case.h>
 #include <vfife/study/fillets/face_strains.h>
 #include <vfife/study/fillets/facet_readings.h>
 #include <vfife/study/fillets/root_submodels.h>
@@ -164,7 +164,7 @@ namespace vfife
     return n;
   }
 
-  std::unique_ptr<const RootSubmodels> make_root_submodels(const Case          &pair_case,
+  std::unique_ptr<const RootSubmodels> make_root_submodels(const PairCase      &pair_case,
                                                            const FilletOptions &options,
                                                            const Model         &model,
                                                            Log                 &log)

@@ -11,7 +11,8 @@
 #include <vfife/output/files/result_places.h>
 #include <vfife/output/files/table_writer.h>
 #include <vfife/output/pictures.h>
-#include <vfife/study/cases/gear_case.h>
+#include <vfife/study/cases/case_kinds.h>
+#include <vfife/study/cases/pair_case.h>
 #include <vfife/study/gear/bearing_supports.h>
 #include <vfife/study/gear/lumped_study.h>
 #include <vfife/study/study_kinds.h>
@@ -137,9 +138,11 @@ namespace vfife
       {
         // Without a gear pair the section Lumped has to give all numbers, and Operation stands
         // alone.
-        has_pair_ = file.contains("Gear pair");
-        if (has_pair_)
-          gear_case_.declare(prm, file);
+        if (file.contains("Gear pair"))
+          {
+            pair_case_ = make_pair_case(file);
+            pair_case_->declare(prm, file);
+          }
         else
           operation_.declare(prm);
         options_.declare(prm, file);
@@ -151,8 +154,8 @@ namespace vfife
 
       void check() const override
       {
-        if (has_pair_)
-          gear_case_.check_bodies();
+        if (pair_case_)
+          pair_case_->check_bodies();
         operation().require_speed("Operation");
         operation().check("Operation");
         operation().require_driving_pinion("Operation", "lumped model");
@@ -173,19 +176,18 @@ namespace vfife
       /** Fills what the options leave open from the gear pair. */
       LumpedPair make_pair(Log &log) const;
 
-      bool              has_pair_ = false;
-      GearCase          gear_case_;
-      OperationOptions  operation_; ///< without a gear pair
-      LumpedOptions     options_;
-      LumpedRunOptions  run_;
-      SpeedSweepOptions sweep_;
-      bool              pictures_ = true;
+      std::unique_ptr<PairCase> pair_case_; ///< nullptr: without a gear pair
+      OperationOptions          operation_; ///< without a gear pair
+      LumpedOptions             options_;
+      LumpedRunOptions          run_;
+      SpeedSweepOptions         sweep_;
+      bool                      pictures_ = true;
     };
   } // namespace
 
   const OperationOptions &LumpedStudy::operation() const
   {
-    return has_pair_ ? gear_case_.operation() : operation_;
+    return pair_case_ ? pair_case_->operation() : operation_;
   }
 
   LumpedPair LumpedStudy::make_pair(Log &log) const
@@ -193,11 +195,11 @@ namespace vfife
     // What the file gives wins over what the pair would have given.
     LumpedOptions              filled = options_;
     std::vector<LumpedSupport> bearings;
-    if (has_pair_)
+    if (pair_case_)
       {
         // What the section leaves open is taken of the bodies' meshes and the pair: zeros, a
         // negative backlash, a normal of no length.
-        const Model         model = gear_case_.make_model(log);
+        const Model         model = pair_case_->make_model(log);
         const Transmission &t     = *model.transmission;
         const auto          fill  = [](auto &value, const auto known) {
           if (!(value > 0))
@@ -210,7 +212,7 @@ namespace vfife
         fill(filled.arm, t.arm);
         // The turn of the gear [rad] times the arm: along the line of action [mm].
         if (filled.backlash < 0)
-          filled.backlash = gear_case_.make_pair().backlash_angle() * filled.arm;
+          filled.backlash = pair_case_->backlash_angle() * filled.arm;
         if (filled.contact_normal.norm() == 0)
           {
             filled.contact_normal = t.contact_normal;

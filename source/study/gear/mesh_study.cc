@@ -4,14 +4,14 @@
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/base/text/table.h>
-#include <vfife/gear/flank_points.h>
 #include <vfife/mesh/files/mesh_export.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/table_writer.h>
 #include <vfife/output/output_options.h>
 #include <vfife/output/pictures.h>
 #include <vfife/study/cases/body_figures.h>
-#include <vfife/study/cases/gear_case.h>
+#include <vfife/study/cases/case_kinds.h>
+#include <vfife/study/cases/pair_case.h>
 #include <vfife/study/study_kinds.h>
 
 #include <algorithm>
@@ -51,21 +51,22 @@ namespace vfife
     public:
       void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override
       {
-        gear_case_.declare(prm, file);
+        pair_case_ = make_pair_case(file);
+        pair_case_->declare(prm, file);
         export_.declare(prm);
         output_.declare(prm);
       }
 
       void check() const override
       {
-        gear_case_.check_bodies();
+        pair_case_->check_bodies();
         export_.check("Export");
         output_.check("Output");
       }
 
       void inspect(Communicator &, Log &log) override
       {
-        gear_case_.make_model(log);
+        pair_case_->make_model(log);
       }
 
       void run(OutputFolder &folder, Log &log) override;
@@ -73,9 +74,9 @@ namespace vfife
     private:
       void write_flank_points(const OutputFolder &folder) const;
 
-      GearCase      gear_case_;
-      ExportOptions export_;
-      OutputOptions output_;
+      std::unique_ptr<PairCase> pair_case_;
+      ExportOptions             export_;
+      OutputOptions             output_;
     };
   } // namespace
 
@@ -120,13 +121,13 @@ namespace vfife
   void MeshStudy::run(OutputFolder &folder, Log &log)
   {
     log.set_verbosity(output_.verbosity);
-    const Model model = gear_case_.make_model(log);
+    const Model model = pair_case_->make_model(log);
     // All ranks have made the same meshes: one writes them. Nothing below is collective.
     if (!folder.is_writer())
       return;
     // The table of figures is written last: its file says that the study has come to its end.
-    const Table figures = body_figures_table(gear_case_.measure_bodies(model));
-    write_csv(folder, "meridian.csv", gear_case_.meridian_table());
+    const Table figures = body_figures_table(pair_case_->measure_bodies(model));
+    write_csv(folder, "meridian.csv", pair_case_->meridian_table());
 
     const auto write = [&](const std::string &name, const std::vector<ExportedBody> &bodies) {
       for (const std::string &format : export_.formats)
@@ -158,12 +159,10 @@ namespace vfife
   void MeshStudy::write_flank_points(const OutputFolder &folder) const
   {
     // Points of the true flanks: what other meshes can be compared with.
-    const GearPair gears = gear_case_.make_pair();
-    for (const GearMember *member : {&gears.pinion(), &gears.gear()})
-      {
-        const Table points = compute_flank_points(*member, export_.lengthwise, export_.profile);
-        write_csv(folder, "flank_points_" + member->name() + ".csv", points);
-      }
+    for (const unsigned int member : {0u, 1u})
+      write_csv(folder,
+                std::string("flank_points_") + (member == 0 ? "pinion" : "gear") + ".csv",
+                pair_case_->flank_points(member, export_.lengthwise, export_.profile));
   }
 
   std::unique_ptr<StudyKind> make_mesh_study()

@@ -16,7 +16,6 @@
 #include <vfife/output/output_options.h>
 #include <vfife/output/pictures.h>
 #include <vfife/study/cases/gear_case.h>
-#include <vfife/study/cases/run_plan.h>
 #include <vfife/study/gear/contact_analysis_json.h>
 #include <vfife/study/start_summary.h>
 #include <vfife/study/study_kinds.h>

@@ -9,7 +9,7 @@
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/load_torque.h>
 #include <vfife/model/model.h>
-#include <vfife/study/cases/case.h>
+#include <vfife/study/cases/pair_case.h>
 #include <vfife/study/pressure/calibrated_penalty.h>
 #include <vfife/study/pressure/pressure_depth.h>
 
@@ -88,7 +88,7 @@ namespace vfife
 
     /** Static transmission errors of the contact's own grid [rad] at @p positions, a divisor of
      * n_turns; @p passed and @p calibration, if any, get the contacts of each. */
-    std::vector<double> find_grid_errors(const Case         &the_case,
+    std::vector<double> find_grid_errors(const PairCase     &the_case,
                                          Compliance         &compliance,
                                          const Model        &model,
                                          const unsigned int  positions,
@@ -194,7 +194,7 @@ namespace vfife
     return errors;
   }
 
-  bool needs_calibration(const Case &the_case, const Model &model)
+  bool needs_calibration(const PairCase &the_case, const Model &model)
   {
     return model.transmission && !model.contacts.empty() && the_case.leaves_penalty_open() &&
            model.contacts.front().options.discretization == ContactDiscretization::surface_points &&
@@ -210,13 +210,13 @@ namespace vfife
     return found;
   }
 
-  double find_mean_error(const Case &the_case, Compliance &compliance, const Model &model)
+  double find_mean_error(const PairCase &the_case, Compliance &compliance, const Model &model)
   {
     return mean_of(
       find_grid_errors(the_case, compliance, model, n_positions / 2, nullptr, nullptr));
   }
 
-  std::vector<double> calibrate_penalty(const Case                 &the_case,
+  std::vector<double> calibrate_penalty(const PairCase             &the_case,
                                         Compliance                 &compliance,
                                         Log                        &log,
                                         Model                      &model,

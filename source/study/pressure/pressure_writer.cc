@@ -7,7 +7,7 @@
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/model.h>
 #include <vfife/output/files/output_folder.h>
-#include <vfife/study/cases/case.h>
+#include <vfife/study/cases/pair_case.h>
 #include <vfife/study/pressure/instant_options.h>
 #include <vfife/study/pressure/pressure_depth.h>
 #include <vfife/study/pressure/pressure_writer.h>
@@ -48,9 +48,9 @@ namespace vfife
     };
   }
 
-  PairRun describe_run(const Case &pair_case, const Model &model, const double end_time)
+  PairRun describe_run(const PairCase &pair_case, const Model &model, const double end_time)
   {
-    return {model, *pair_case.outlines(), pair_case.hertz_contact(), end_time};
+    return {model, pair_case.outlines(), pair_case.hertz_contact(), end_time};
   }
 
   void

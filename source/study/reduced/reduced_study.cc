@@ -15,10 +15,10 @@
 #include <vfife/reduced/reduced_options.h>
 #include <vfife/reduced/reduced_pair.h>
 #include <vfife/reduced/resonance/nearest_wave.h>
+#include <vfife/study/cases/case_kinds.h>
 #include <vfife/study/cases/damping_figures.h>
-#include <vfife/study/cases/gear_case.h>
+#include <vfife/study/cases/pair_case.h>
 #include <vfife/study/cases/run_length.h>
-#include <vfife/study/cases/run_plan.h>
 #include <vfife/study/continuation.h>
 #include <vfife/study/fillets/root_submodels.h>
 #include <vfife/study/nearest_wave_summary.h>
@@ -50,8 +50,9 @@ namespace vfife
     public:
       void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override
       {
-        gear_case_.declare(prm, file);
-        gear_case_.set_defaults(dynamics_, output_);
+        pair_case_ = make_pair_case(file);
+        pair_case_->declare(prm, file);
+        pair_case_->set_defaults(dynamics_, output_);
         dynamics_.declare(prm);
         output_.declare(prm);
         fillets_.declare(prm, file);
@@ -64,11 +65,11 @@ namespace vfife
 
       void check() const override
       {
-        gear_case_.check();
-        gear_case_.operation().require_driving_pinion("Operation", "reduced pair");
+        pair_case_->check();
+        pair_case_->operation().require_driving_pinion("Operation", "reduced pair");
         if (!is_motion())
-          gear_case_.operation().require_constant("Operation", "sweep over speeds");
-        gear_case_.check_run(dynamics_);
+          pair_case_->operation().require_constant("Operation", "sweep over speeds");
+        pair_case_->check_run(dynamics_);
         dynamics_.check("Dynamics");
         output_.check("Output");
         sweep_.check("Reduced");
@@ -85,7 +86,7 @@ namespace vfife
         if (!is_motion())
           check_sweep();
         else
-          check_lengths(gear_case_, dynamics_, output_);
+          check_lengths(*pair_case_, dynamics_, output_);
         if (dynamics_.damping_rate != DampingRate::momentum)
           throw InputError("Dynamics/damping reference",
                            "must be momentum, because modes are damped relative to this rate");
@@ -93,14 +94,14 @@ namespace vfife
 
       void inspect(Communicator &, Log &log) override
       {
-        const Model model = gear_case_.make_model(log);
+        const Model model = pair_case_->make_model(log);
         RootStress(model, fillets_);
         check_instants(model);
         log.line("penalty ",
-                 gear_case_.leaves_penalty_open() ? "from " : "",
+                 pair_case_->leaves_penalty_open() ? "from " : "",
                  model.contacts.front().options.penalty.value,
-                 gear_case_.leaves_penalty_open() ? " N/mm^3 on, by the contact's own grid"
-                                                  : " N/mm^3",
+                 pair_case_->leaves_penalty_open() ? " N/mm^3 on, by the contact's own grid"
+                                                   : " N/mm^3",
                  "; modes below ",
                  least_cutoff(),
                  " Hz, ",
@@ -119,7 +120,7 @@ namespace vfife
                            "a sweep over speeds has no checkpoints; start it at the speed where it "
                            "was stopped");
         checkpoint_ = find_checkpoint(
-          folder, now, list_changeable(gear_case_.may_be_made_longer()), communicator, log);
+          folder, now, list_changeable(pair_case_->may_be_made_longer()), communicator, log);
         return checkpoint_->log_size;
       }
 
@@ -150,26 +151,26 @@ namespace vfife
       /** The largest speed over that of the case at time zero. */
       double largest_factor() const
       {
-        return is_motion() ? gear_case_.largest_speed_factor()
-                           : sweep_.highest_speed / gear_case_.operation().speed;
+        return is_motion() ? pair_case_->largest_speed_factor()
+                           : sweep_.highest_speed / pair_case_->operation().speed;
       }
       /** That which is asked for [Hz]. */
       double least_cutoff() const
       {
-        return options_.find_cutoff(gear_case_.mesh_frequency() * largest_factor(),
-                                    ReducedOptions::rings_of_motions * gear_case_.ring_rate() /
+        return options_.find_cutoff(pair_case_->mesh_frequency() * largest_factor(),
+                                    ReducedOptions::rings_of_motions * pair_case_->ring_rate() /
                                       (2 * pi));
       }
       /** Of a mesh cycle at the largest speed. */
       unsigned int n_steps_of_mesh(const double cutoff) const
       {
-        return options_.find_steps(gear_case_.mesh_frequency() * largest_factor(),
+        return options_.find_steps(pair_case_->mesh_frequency() * largest_factor(),
                                    cutoff,
                                    output_.history_every);
       }
       std::vector<std::string> report_checks(const Model &model, Log &log) const
       {
-        return gear_case_.report_checks({&model, &dynamics_, &output_}, log);
+        return pair_case_->report_checks({&model, &dynamics_, &output_}, log);
       }
       /** A pair and how it moves. */
       struct Motion
@@ -181,7 +182,9 @@ namespace vfife
       void check_instants(const Model &model) const
       {
         if (instants_.asked_for())
-          check_pressures(instants_, fem(), describe_run(gear_case_, model, gear_case_.end_time()));
+          check_pressures(instants_,
+                          fem(),
+                          describe_run(*pair_case_, model, pair_case_->end_time()));
       }
       Motion make_motion(const std::vector<ReducedBody> &bodies) const;
       /** @p at_start: figures of find_start_stresses(). */
@@ -214,14 +217,14 @@ namespace vfife
                  OutputFolder       &folder,
                  Log                &log) const;
 
-      GearCase              gear_case_;
-      DynamicsOptions       dynamics_;
-      OutputOptions         output_;
-      FilletOptions         fillets_;
-      InstantOptions        instants_;
-      ReducedOptions        options_;
-      SpeedSweepOptions     sweep_;
-      PairSpeedSweepOptions sweep_options_;
+      std::unique_ptr<PairCase> pair_case_;
+      DynamicsOptions           dynamics_;
+      OutputOptions             output_;
+      FilletOptions             fillets_;
+      InstantOptions            instants_;
+      ReducedOptions            options_;
+      SpeedSweepOptions         sweep_;
+      PairSpeedSweepOptions     sweep_options_;
 
       std::optional<Checkpoint>            checkpoint_;
       std::unique_ptr<const RootSubmodels> submodels_; ///< nullptr: elements of the pair
@@ -233,7 +236,7 @@ namespace vfife
       motion.cutoff         = find_kept_cutoff(bodies);
       motion.steps_per_mesh = n_steps_of_mesh(motion.cutoff);
       motion.options.step =
-        1. / (gear_case_.mesh_frequency() * largest_factor() * motion.steps_per_mesh);
+        1. / (pair_case_->mesh_frequency() * largest_factor() * motion.steps_per_mesh);
       motion.options.damping      = dynamics_.mass_damping();
       motion.options.mesh_damping = dynamics_.mesh_damping;
       return motion;
@@ -255,12 +258,12 @@ namespace vfife
                                     motion.cutoff,
                                     dynamics_.mass_damping(),
                                     output_.history_every,
-                                    gear_case_.edges_under_load()},
+                                    pair_case_->edges_under_load()},
                            places,
                            pair);
       RunSummary             summary = start_summary("reduced", model, folder);
       summary.contradictions         = report_checks(model, log);
-      summary.cause                  = gear_case_.find_cause();
+      summary.cause                  = pair_case_->find_cause();
       summary.figures.insert(summary.figures.end(), at_start.begin(), at_start.end());
       run_speed_sweep(sweep, summary, folder, log);
     }
@@ -273,7 +276,7 @@ namespace vfife
                             Log                &log) const
     {
       const double dt    = motion.options.step;
-      RunTimes     times = plan_times(gear_case_, dynamics_, output_, &*model.transmission, dt);
+      RunTimes     times = plan_times(*pair_case_, dynamics_, output_, &*model.transmission, dt);
       times.end          = std::llround(times.end / dt) * dt; // of its last step
       ReducedRun run(folder, log, model, pair, dt, output_, times);
       if (dynamics_.start == Start::steady_swing && !PairMounting::changes(model))
@@ -283,13 +286,13 @@ namespace vfife
       const auto   impulse = [&] { return pair.contact_impulse(); };
       const Table &history =
         run.observers().add<HistoryWriter>(model, times.sample_steps, impulse).table();
-      PairRecording recording(gear_case_, dynamics_, output_, read(model, pair), history, run);
+      PairRecording recording(*pair_case_, dynamics_, output_, read(model, pair), history, run);
       run.record_bearings();
       recording.record_stresses(fillets_, submodels_.get(), instants_, fem());
       summary.figures.push_back({"cut-off frequency", {motion.cutoff, "Hz"}});
       summary.figures.push_back({"steps per mesh cycle", {double(motion.steps_per_mesh), "-"}});
       summary.contradictions = report_checks(model, log);
-      summary.cause          = gear_case_.find_cause();
+      summary.cause          = pair_case_->find_cause();
       report_nearest_wave(
         [&] {
           return find_nearest_wave(model,
@@ -318,13 +321,13 @@ namespace vfife
     {
       log.set_verbosity(output_.verbosity);
       const Communicator &communicator = folder.communicator();
-      Model               model        = gear_case_.make_model(log);
+      Model               model        = pair_case_->make_model(log);
       check_instants(model); // before the reduction, which takes longer
-      const auto   settled      = settle_penalties(gear_case_, fem(), communicator, log, model);
+      const auto   settled      = settle_penalties(*pair_case_, fem(), communicator, log, model);
       const double mean_penalty = model.contacts.front().mean_penalty();
       std::optional<RootStress> roots;
       if (is_motion())
-        submodels_ = make_root_submodels(gear_case_, fillets_, model, log);
+        submodels_ = make_root_submodels(*pair_case_, fillets_, model, log);
       if (fillets_.records() && !submodels_)
         roots.emplace(model, fillets_);
       const MoreReadings of_fillets = [&](const unsigned int b) {
@@ -361,7 +364,7 @@ namespace vfife
           const NamedFigures damping = list_damping(dynamics_, &*model.transmission, log);
           at_start.insert(at_start.end(), damping.begin(), damping.end());
           run_lengths(
-            gear_case_,
+            *pair_case_,
             dynamics_,
             folder,
             checkpoint_,

@@ -16,7 +16,7 @@
 #include <vfife/output/observers/probe_writer.h>
 #include <vfife/output/observers/teeth_writer.h>
 #include <vfife/output/output_options.h>
-#include <vfife/study/cases/case.h>
+#include <vfife/study/cases/pair_case.h>
 #include <vfife/study/cases/run_length.h>
 #include <vfife/study/cases/torque_pressure.h>
 #include <vfife/study/fillets/root_submodels.h>
@@ -31,7 +31,7 @@
 
 namespace vfife
 {
-  PairRecording::PairRecording(const Case            &pair_case,
+  PairRecording::PairRecording(const PairCase        &pair_case,
                                const DynamicsOptions &dynamics,
                                const OutputOptions   &output,
                                PairReadings           readings,
@@ -136,22 +136,20 @@ namespace vfife
     // What changes in the run has no single number: it is stated for the start, by another name.
     const std::string speed_when  = t.has_constant_rate() ? "" : " at the start",
                       torque_when = has_constant_torque() ? "" : " at the start";
-    NamedFigures figures = {{figure_name::mesh_frequency + speed_when, {t.mesh_frequency(), "Hz"}},
-                            {figure_name::speed_of(model_.bodies[t.driver].name()) + speed_when,
-                             {t.driver_rate * 30. / pi, "rpm"}},
-                            {figure_name::torque_of(model_.bodies[t.driven].name()) + torque_when,
-                             {1e-3 * torque, "N m"}},
-                            {figure_name::torque_of(model_.bodies[t.driver].name()) + torque_when,
-                             {1e-3 * torque * t.driver_teeth / t.driven_teeth, "N m"}},
-                            {figure_name::effective_arm, {t.arm, "mm"}},
-                            {figure_name::force_on_arm + torque_when, {torque / t.arm, "N"}},
-                            {"contact penalty",
-                             {model_.contacts.front().mean_penalty(), "N/mm^3"}}};
-    if (const auto arm_range = case_.arm_range())
-      {
-        figures.push_back({figure_name::least_arm, {t.arm * (*arm_range)[0], "mm"}});
-        figures.push_back({figure_name::largest_arm, {t.arm * (*arm_range)[1], "mm"}});
-      }
+    NamedFigures  figures = {{figure_name::mesh_frequency + speed_when, {t.mesh_frequency(), "Hz"}},
+                             {figure_name::speed_of(model_.bodies[t.driver].name()) + speed_when,
+                              {t.driver_rate * 30. / pi, "rpm"}},
+                             {figure_name::torque_of(model_.bodies[t.driven].name()) + torque_when,
+                              {1e-3 * torque, "N m"}},
+                             {figure_name::torque_of(model_.bodies[t.driver].name()) + torque_when,
+                              {1e-3 * torque * t.driver_teeth / t.driven_teeth, "N m"}},
+                             {figure_name::effective_arm, {t.arm, "mm"}},
+                             {figure_name::force_on_arm + torque_when, {torque / t.arm, "N"}},
+                             {"contact penalty",
+                              {model_.contacts.front().mean_penalty(), "N/mm^3"}}};
+    const Vector2 arm_range = case_.arm_range();
+    figures.push_back({figure_name::least_arm, {t.arm * arm_range[0], "mm"}});
+    figures.push_back({figure_name::largest_arm, {t.arm * arm_range[1], "mm"}});
     return figures;
   }
 

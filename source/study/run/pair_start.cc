@@ -7,7 +7,7 @@
 #include <vfife/base/types.h>
 #include <vfife/output/files/result_places.h>
 #include <vfife/output/measures/pair_mounting.h>
-#include <vfife/study/cases/case.h>
+#include <vfife/study/cases/pair_case.h>
 #include <vfife/study/pressure/calibrated_penalty.h>
 #include <vfife/study/run/pair_start.h>
 
@@ -27,7 +27,7 @@ namespace vfife
 
     /** Mean static transmission error of the pair by quadratic elements [rad]; nothing where they
      * are not asked for or cannot be had, with the reason in the @p log. Collective. */
-    std::optional<double> find_reference_error(const Case         &the_case,
+    std::optional<double> find_reference_error(const PairCase     &the_case,
                                                const Compliance   &own,
                                                const Communicator &communicator,
                                                Log                &log)
@@ -74,7 +74,7 @@ namespace vfife
 
     /** The same with bodies of quadratic or cubic elements @p fem, whose facets are divided by the
      * points between nodes: nearer to the contact than facets that move as their nodes. */
-    double find_divided_error(const Case         &the_case,
+    double find_divided_error(const PairCase     &the_case,
                               FemOptions          fem,
                               const Model        &model,
                               const Communicator &communicator,
@@ -93,7 +93,7 @@ namespace vfife
     }
   } // namespace
 
-  SettledPenalties settle_penalties(const Case         &the_case,
+  SettledPenalties settle_penalties(const PairCase     &the_case,
                                     const FemOptions   &fem,
                                     const Communicator &communicator,
                                     Log                &log,

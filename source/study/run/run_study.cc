@@ -15,7 +15,6 @@
 #include <vfife/study/cases/case_kinds.h>
 #include <vfife/study/cases/damping_figures.h>
 #include <vfife/study/cases/run_length.h>
-#include <vfife/study/cases/run_plan.h>
 #include <vfife/study/continuation.h>
 #include <vfife/study/fillets/root_submodels.h>
 #include <vfife/study/fillets/submodel_follower.h>
@@ -89,7 +88,7 @@ namespace vfife
         case_->set_defaults(dynamics_, output_);
         dynamics_.declare(prm);
         output_.declare(prm);
-        if (case_->has_teeth())
+        if (case_->pair() != nullptr)
           {
             fillets_.teeth = RecordedTeeth::in_contact;
             fillets_.declare(prm, file);
@@ -105,7 +104,7 @@ namespace vfife
         output_.check("Output");
         case_->check_run(dynamics_);
         fillets_.check();
-        if (!case_->has_teeth())
+        if (case_->pair() == nullptr)
           output_.refuse_stress_waves("Output");
         instants_.check();
         check_lengths(*case_, dynamics_, output_);
@@ -220,7 +219,7 @@ namespace vfife
     if (model.transmission)
       RootStress(model, fillets_);
     if (instants_.asked_for())
-      check_pressures(instants_, fem(), describe_run(*case_, model, case_->end_time()));
+      check_pressures(instants_, fem(), describe_run(*case_->pair(), model, case_->end_time()));
     SteppedSolver stepped(model, dynamics_, communicator, log, [this](const double stable_step) {
       return choose_step(stable_step);
     });
@@ -250,12 +249,16 @@ namespace vfife
   {
     const Communicator &communicator = folder.communicator();
     Model               model        = make_model(log);
-    SettledPenalties    settled      = settle_penalties(*case_, fem(), communicator, log, model);
+    const PairCase     *pair         = case_->pair();
+    SettledPenalties    settled;
+    if (pair != nullptr)
+      settled = settle_penalties(*pair, fem(), communicator, log, model);
     SteppedSolver stepped(model, dynamics_, communicator, log, [this](const double stable_step) {
       return choose_step(stable_step);
     });
     stepped.log_step(model, log);
-    const auto submodels = make_root_submodels(*case_, fillets_, model, log);
+    const auto submodels =
+      pair != nullptr ? make_root_submodels(*pair, fillets_, model, log) : nullptr;
 
     const Transmission *transmission = transmission_of(model);
     const RunTimes      times = plan_times(*case_, dynamics_, output_, transmission, stepped.dt);
@@ -269,7 +272,7 @@ namespace vfife
     const Table &history =
       stepping.observers().add<HistoryWriter>(model, times.sample_steps, impulse).table();
     std::optional<PairRecording> recording;
-    if (transmission != nullptr)
+    if (pair != nullptr)
       {
         PairReadings readings;
         readings.probes = [&](const std::vector<Probe> &copies) {
@@ -278,7 +281,7 @@ namespace vfife
         };
         readings.fillets = measure_places(model, communicator);
         readings.flanks  = gather_flanks(model, communicator);
-        recording.emplace(*case_, dynamics_, output_, std::move(readings), history, stepping);
+        recording.emplace(*pair, dynamics_, output_, std::move(readings), history, stepping);
         recording->record_stresses(fillets_, submodels.get(), instants_, fem());
         summary.figures.push_back(
           {"stable step without contact", {1e9 * stepped.solver.element_step(), "ns"}});

@@ -19,8 +19,8 @@
 #include <vfife/reduced/resonance/linear_response.h>
 #include <vfife/reduced/resonance/static_passage.h>
 #include <vfife/study/case_runner.h>
-#include <vfife/study/cases/gear_case.h>
-#include <vfife/study/cases/run_plan.h>
+#include <vfife/study/cases/case_kinds.h>
+#include <vfife/study/cases/pair_case.h>
 #include <vfife/study/nearest_wave_summary.h>
 #include <vfife/study/reduced/fillet_readings.h>
 #include <vfife/study/reduced/pair_reduction.h>
@@ -56,8 +56,9 @@ namespace vfife
       {
         own_.parameter_file = file.path();
         own_.overrides      = file.overrides();
-        gear_case_.declare(prm, file);
-        gear_case_.set_defaults(dynamics_, output_);
+        pair_case_          = make_pair_case(file);
+        pair_case_->declare(prm, file);
+        pair_case_->set_defaults(dynamics_, output_);
         dynamics_.declare(prm);
         output_.declare(prm);
         fillets_.declare(prm, file);
@@ -67,9 +68,9 @@ namespace vfife
 
       void check() const override
       {
-        gear_case_.check();
-        gear_case_.operation().require_driving_pinion("Operation", "study of waves");
-        gear_case_.operation().require_constant("Operation", "study of waves");
+        pair_case_->check();
+        pair_case_->operation().require_driving_pinion("Operation", "study of waves");
+        pair_case_->operation().require_constant("Operation", "study of waves");
         dynamics_.check("Dynamics");
         output_.check("Output");
         options_.check("Waves");
@@ -88,14 +89,14 @@ namespace vfife
 
       void inspect(Communicator &, Log &log) override
       {
-        const Model model = gear_case_.make_model(log);
+        const Model model = pair_case_->make_model(log);
         check_diameters(model);
         log.line("waves of the ",
                  model.bodies[model.transmission->driven].name(),
                  " with modes below ",
                  least_cutoff(),
                  " Hz");
-        gear_case_.report_checks({&model, &dynamics_, &output_}, log);
+        pair_case_->report_checks({&model, &dynamics_, &output_}, log);
         if (drives_runs())
           log.line(
             "each line: ",
@@ -125,13 +126,13 @@ namespace vfife
       /** Mesh frequency at a speed of the driver [rad/s]. */
       double mesh_frequency(const double speed) const
       {
-        return gear_case_.mesh_frequency() * speed / gear_case_.operation().speed;
+        return pair_case_->mesh_frequency() * speed / pair_case_->operation().speed;
       }
       /** That which is asked for [Hz]. */
       double least_cutoff() const
       {
         return reduced_.find_cutoff(mesh_frequency(options_.highest_speed),
-                                    ReducedOptions::rings_of_waves * gear_case_.ring_rate() /
+                                    ReducedOptions::rings_of_waves * pair_case_->ring_rate() /
                                       (2 * pi));
       }
       /** At the highest speed: what lies below is between it and rest. */
@@ -140,7 +141,7 @@ namespace vfife
                                       const Communicator &communicator,
                                       Log                &log) const
       {
-        const double       faster     = options_.highest_speed / gear_case_.operation().speed;
+        const double       faster     = options_.highest_speed / pair_case_->operation().speed;
         const MoreReadings of_fillets = [&](const unsigned int b) {
           return b == model.transmission->driven ? list_fillet_readings(model, *roots, b)
                                                  : std::vector<SectorReading>();
@@ -171,12 +172,12 @@ namespace vfife
       CommandLine       own_;             ///< file and overrides of the study itself
       bool              resumes_ = false; ///< its runs
 
-      GearCase        gear_case_;
-      DynamicsOptions dynamics_;
-      OutputOptions   output_;
-      FilletOptions   fillets_;
-      ReducedOptions  reduced_;
-      WavesOptions    options_;
+      std::unique_ptr<PairCase> pair_case_;
+      DynamicsOptions           dynamics_;
+      OutputOptions             output_;
+      FilletOptions             fillets_;
+      ReducedOptions            reduced_;
+      WavesOptions              options_;
     };
 
     void WavesStudy::check_run() const
@@ -306,10 +307,10 @@ namespace vfife
     void WavesStudy::run(OutputFolder &folder, Log &log)
     {
       log.set_verbosity(output_.verbosity);
-      Model model = gear_case_.make_model(log);
+      Model model = pair_case_->make_model(log);
       check_diameters(model);
       settle_penalties(
-        gear_case_, reduced_.fem(dynamics_.stiffness), folder.communicator(), log, model);
+        *pair_case_, reduced_.fem(dynamics_.stiffness), folder.communicator(), log, model);
       const auto                start = WallClock::now();
       std::optional<RootStress> roots;
       if (fillets_.records())
@@ -319,8 +320,8 @@ namespace vfife
       const StressWavePlaces         places(model, looked_at);
       ReducedPair                    pair(model, bodies, pair_options());
       RunSummary                     summary = start_summary("waves", model, folder);
-      summary.contradictions = gear_case_.report_checks({&model, &dynamics_, &output_}, log);
-      summary.cause          = gear_case_.find_cause();
+      summary.contradictions = pair_case_->report_checks({&model, &dynamics_, &output_}, log);
+      summary.cause          = pair_case_->find_cause();
 
       require_waves(bodies[model.transmission->driven]);
       std::vector<WaveLine>      lines;
@@ -337,7 +338,7 @@ namespace vfife
                     tools.theory.list_meetings(RimWriter::count_diameters(model)));
           write_csv(folder, "waves_frequencies.csv", tools.theory.list_frequencies());
           lines   = tools.theory.find_lines(dynamics_.mass_damping());
-          nearest = tools.theory.find_nearest(gear_case_.operation().speed);
+          nearest = tools.theory.find_nearest(pair_case_->operation().speed);
           if (lines.empty())
             log.line("no mesh order excites any of these waves between these speeds");
           for (const WaveLine &line : lines)

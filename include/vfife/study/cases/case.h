@@ -2,13 +2,8 @@
 #ifndef vfife_study_cases_case_h
 #define vfife_study_cases_case_h
 
-#include <vfife/contact/law/hertz.h>
-#include <vfife/gear/blank_outline.h>
 #include <vfife/model/model.h>
-#include <vfife/study/cases/edges_under_load.h>
 
-#include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,10 +15,24 @@ namespace dealii
 namespace vfife
 {
   class Log;
+  class PairCase;
   class ParameterFile;
   struct DynamicsOptions;
   struct OutputOptions;
-  struct RunPlan;
+
+  /** What is known of a study before it computes: checks look at what is there. */
+  struct RunPlan
+  {
+    const Model           *model    = nullptr; ///< nullptr: there is no mesh
+    const DynamicsOptions *dynamics = nullptr; ///< nullptr: nothing moves
+    const OutputOptions   *output   = nullptr; ///< of a motion
+
+    // Of explicit runs; zero of others.
+    double element_step  = 0; ///< stable step of the elements times safety [s]
+    double stable_step   = 0; ///< the same after the contact's vote [s]
+    double step          = 0; ///< of the run [s]
+    double expected_time = 0; ///< wall time of the run [s]
+  };
 
   /**
    * What a study is of: the sections of the parameter file that describe bodies, what holds, loads
@@ -79,33 +88,8 @@ namespace vfife
      * where there is one. */
     virtual double choose_step(double stable_step, unsigned int samples) const = 0;
 
-    /** Whether it is a gear pair: fillets have root stresses. */
-    virtual bool has_teeth() const;
-
-    /** Of one tooth pair at the mean contact of the unloaded flanks; of no size without teeth. */
-    virtual HertzContact hertz_contact() const;
-
-    /** Whether the penalty of the contact is to be found by the contact's own grid. */
-    virtual bool leaves_penalty_open() const;
-
-    /** The same bodies on the mesh on which quadratic elements tell how compliant the springs of
-     * runs have to be; nothing where these make up for the contact alone. */
-    virtual std::optional<Model> make_reference_model() const;
-
-    /** The same pair on the mesh of which submodels of its teeth are taken (RootSubmodels); nothing
-     * without teeth that are generated. */
-    virtual std::optional<Model> make_submodel_mesh(unsigned int cells_lengthwise) const;
-
-    /** Outlines of pinion and gear; nothing without teeth. */
-    virtual std::optional<std::array<BlankOutline, 2>> outlines() const;
-
-    /** Least and largest arm of the contact force over the unloaded path of contact, parts of that
-     * at the mean contact; nothing without teeth. */
-    virtual std::optional<Vector2> arm_range() const;
-
-    /** What tells whether edges of teeth carry; nothing where no pinion drives by its drive side.
-     */
-    virtual std::optional<EdgesUnderLoad> edges_under_load() const;
+    /** Itself as a gear pair, whose teeth are in contact; nullptr for a general model. */
+    virtual const PairCase *pair() const;
 
     /** Sentences about entries that contradict each other or will not give what the user expects,
      * although each of them is allowed: logged as lines `check:`, and returned for the summary. All

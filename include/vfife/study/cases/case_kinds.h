@@ -7,11 +7,15 @@
 namespace vfife
 {
   class Case;
+  class PairCase;
   class ParameterFile;
 
   /** The kind of case that the sections of a file stand for: with a section Model and no Gear pair
    * a general model, otherwise a gear pair. */
   std::unique_ptr<Case> make_case(const ParameterFile &file);
+
+  /** The gear pair of a file, by the kind of its gears. */
+  std::unique_ptr<PairCase> make_pair_case(const ParameterFile &file);
 } // namespace vfife
 
 #endif

@@ -4,8 +4,7 @@
 
 #include <vfife/base/text/table.h>
 #include <vfife/mesh/gear/gear_body.h>
-#include <vfife/study/cases/case.h>
-#include <vfife/study/cases/operation_options.h>
+#include <vfife/study/cases/pair_case.h>
 #include <vfife/study/cases/shaft_supports.h>
 #include <vfife/study/cases/torque_pressure.h>
 
@@ -15,11 +14,8 @@
 
 namespace vfife
 {
-  struct BevelRating;
-  struct BodyFigures;
-
   /** A spiral bevel gear pair from the sections Gear pair, Material ..., Operation and Contact. */
-  class GearCase : public Case
+  class GearCase : public PairCase
   {
   public:
     GearCase();
@@ -35,47 +31,40 @@ namespace vfife
     void                      set_length(unsigned int meshes) override;
     double                    ramp_time() const override;
     double                    choose_step(double stable_step, unsigned int samples) const override;
-    bool                      has_teeth() const override;
+    void                      check_at_rest() const override;
+    const OperationOptions   &operation() const override;
+    double                    mesh_frequency() const override;
+    double                    largest_speed_factor() const override;
+    double                    torque_on(unsigned int member) const override;
+    double                    ring_rate() const override;
     HertzContact              hertz_contact() const override;
     bool                      leaves_penalty_open() const override
     {
       return contact_.penalty.is_open();
     }
-    std::optional<Model> make_reference_model() const override;
-    std::optional<Model> make_submodel_mesh(unsigned int cells_lengthwise) const override;
-    std::optional<std::array<BlankOutline, 2>> outlines() const override;
-    std::optional<Vector2>                     arm_range() const override;
-    std::optional<EdgesUnderLoad>              edges_under_load() const override;
+    Vector2                       arm_range() const override;
+    double                        backlash_angle() const override;
+    std::optional<EdgesUnderLoad> edges_under_load() const override;
+    /** By ISO 10300 method B1. */
+    NamedFigures                rate(Log &log) const override;
+    std::array<BlankOutline, 2> outlines() const override;
+    std::optional<Model>        make_reference_model() const override;
+    std::optional<Model>        make_submodel_mesh(unsigned int cells_lengthwise) const override;
+    std::vector<BodyFigures>    measure_bodies(const Model &model) const override;
+    Table                       meridian_table() const override;
+    Table
+    flank_points(unsigned int member, unsigned int lengthwise, unsigned int profile) const override;
 
     /** Logs both torques and Hertz's contact besides, where there is a torque. */
     std::vector<std::string> report_checks(const RunPlan &plan, Log &log) const override;
     std::string              find_cause() const override;
 
-    /** Throws InputError as check(), but for a pair at rest, which a static analysis may have. */
-    void check_at_rest() const;
-
     /** The pair with everything derived. */
     GearPair make_pair() const;
-
-    /** Quality, mass and inertias of the bodies of make_model(), pinion first. */
-    std::vector<BodyFigures> measure_bodies(const Model &model) const;
-
-    /** Outlines of the bodies in the meridian plane: meridian.csv. */
-    Table meridian_table() const;
-
-    const OperationOptions &operation() const;
-    double                  mesh_frequency() const; ///< at time zero [Hz]
-
-    /** The largest speed of a run over that at time zero. */
-    double largest_speed_factor() const;
 
     /** Strain of a free ring at the pitch circles at the largest speed of a run, rho v^2 / E; the
      * larger of both members. */
     double ring_strain() const;
-
-    /** Rate sqrt(E/rho)/r at which a free ring at the pitch circle of the gear breathes [rad/s]:
-     * rates of a pair are large or small against it, whatever its size is. */
-    double ring_rate() const;
 
     /** Damping over ring_rate() up to which the compliance stays (doc/how-to/choose-damping.md). */
     static constexpr double recommended_damping = 0.05;
@@ -84,13 +73,6 @@ namespace vfife
      * change with time. */
     double                  driven_torque() const;
     const ParameterHistory &driven_torque_history() const;
-
-    /** Torque on a member (0 pinion, 1 gear) that balances the load without friction [N mm]. */
-    double torque_on(unsigned int member) const;
-
-    /** Nominal stresses of ISO 10300 method B1 under the torque at time zero; InputError where the
-     * method does not apply. */
-    BevelRating nominal_stresses() const;
 
     /** What is wrong with Hertz's pressure under the torque; empty where it is allowed. */
     std::string find_excess_of_pressure() const;

@@ -2,15 +2,16 @@
 #ifndef vfife_study_conventional_loaded_pattern_h
 #define vfife_study_conventional_loaded_pattern_h
 
+#include <vfife/gear/blank_outline.h>
 #include <vfife/output/files/figures.h>
 #include <vfife/output/measures/contact_pattern.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
 namespace vfife
 {
-  class GearPair;
   struct PairEquilibriumResult;
 
   /** The contact pattern over the positions of a loaded tooth contact analysis. */
@@ -27,7 +28,8 @@ namespace vfife
 
     /** Of the flanks of @p side (ContactPair::side) of both members of the model's pair where the
      * pattern's centre lies, as place_on_flank(). */
-    NamedFigures figures(const GearPair &pair, const std::string &side) const;
+    NamedFigures figures(const std::array<BlankOutline, 2> &outlines,
+                         const std::string                 &side) const;
 
   private:
     const Model        &model_;

@@ -13,7 +13,7 @@
 
 namespace vfife
 {
-  class Case;
+  class PairCase;
   class Log;
   struct FilletOptions;
 
@@ -89,7 +89,7 @@ namespace vfife
 
   /** Those that @p options ask for; nullptr where root stresses are not recorded, or read from the
    * model's own elements. */
-  std::unique_ptr<const RootSubmodels> make_root_submodels(const Case          &pair_case,
+  std::unique_ptr<const RootSubmodels> make_root_submodels(const PairCase      &pair_case,
                                                            const FilletOptions &options,
                                                            const Model         &model,
                                                            Log                 &log);

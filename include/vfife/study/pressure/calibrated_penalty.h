@@ -7,7 +7,7 @@
 
 namespace vfife
 {
-  class Case;
+  class PairCase;
   class Compliance;
   class Log;
   struct Model;
@@ -26,7 +26,7 @@ namespace vfife
 
   /** Whether calibrate_penalty() has something to do: the case leaves the penalty open, and its
    * contact in one pass has a load. */
-  bool needs_calibration(const Case &the_case, const Model &model);
+  bool needs_calibration(const PairCase &the_case, const Model &model);
 
   /**
    * Gives the points of the loaded contact of a gear pair the penalties with which its teeth
@@ -37,7 +37,7 @@ namespace vfife
    * to have [rad], at equal steps over turns_over_mesh(). Where the grid gives none, a warning
    * says why, the penalties stay, and nothing is returned. Collective.
    */
-  std::vector<double> calibrate_penalty(const Case           &the_case,
+  std::vector<double> calibrate_penalty(const PairCase       &the_case,
                                         Compliance           &compliance,
                                         Log                  &log,
                                         Model                &model,
@@ -52,7 +52,7 @@ namespace vfife
   /** Mean static transmission error of a pair over a mesh cycle under the whole torque, of the
    * linear bodies on the contact's own grid [rad]: by every second position of
    * calibrate_penalty(). Throws as Compliance and PairPressure. Collective. */
-  double find_mean_error(const Case &the_case, Compliance &compliance, const Model &model);
+  double find_mean_error(const PairCase &the_case, Compliance &compliance, const Model &model);
 } // namespace vfife
 
 #endif

@@ -15,7 +15,7 @@
 
 namespace vfife
 {
-  class Case;
+  class PairCase;
   class Log;
   class OutputFolder;
   struct InstantOptions;
@@ -36,7 +36,7 @@ namespace vfife
   };
 
   /** Of a case with teeth. */
-  PairRun describe_run(const Case &pair_case, const Model &model, double end_time);
+  PairRun describe_run(const PairCase &pair_case, const Model &model, double end_time);
 
   /** Throws InputError where pressures cannot be found at the instants that are asked for.
    * @p elements: those of the motion. */

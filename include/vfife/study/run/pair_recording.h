@@ -18,7 +18,7 @@
 
 namespace vfife
 {
-  class Case;
+  class PairCase;
   class RootSubmodels;
   class Table;
   struct DynamicsOptions;
@@ -46,7 +46,7 @@ namespace vfife
     /** Adds the writers of the pair to @p stepping, and to its summary what is known before the
      * first step: speeds, torque, penalty, arm. @p history: rows of history.csv. Everything given
      * but the readings must outlive the object. */
-    PairRecording(const Case            &pair_case,
+    PairRecording(const PairCase        &pair_case,
                   const DynamicsOptions &dynamics,
                   const OutputOptions   &output,
                   PairReadings           readings,
@@ -88,7 +88,7 @@ namespace vfife
     /** When the last mesh cycle of the run begins [s]. */
     double last_mesh() const;
 
-    const Case                     &case_;
+    const PairCase                 &case_;
     const DynamicsOptions          &dynamics_;
     const OutputOptions            &output_;
     const PairReadings              readings_;

@@ -12,7 +12,7 @@
 
 namespace vfife
 {
-  class Case;
+  class PairCase;
 
   /** What settle_penalties() leaves besides the penalties. */
   struct SettledPenalties
@@ -25,7 +25,7 @@ namespace vfife
 
   /** Finds the penalties that a case leaves open (calibrate_penalty()) for bodies of the elements
    * @p fem. Collective. */
-  SettledPenalties settle_penalties(const Case         &the_case,
+  SettledPenalties settle_penalties(const PairCase     &the_case,
                                     const FemOptions   &fem,
                                     const Communicator &communicator,
                                     Log                &log,
