@@ -89,7 +89,7 @@ def list_case_rows(run):
     yield from list_sweep_rows(parameters)
     yield from list_error_rows(run)
     mesh = parameters.get("Gear pair/mesh")
-    if mesh:
+    if mesh and mesh != "auto":
         yield "mesh", "given by the entries of each member" if mesh == "by members" else mesh
     web = describe_web(parameters)
     if web.startswith("web"):
