@@ -44,15 +44,16 @@ namespace
   /** The word of a pair's section for both bodies, beside an element size of the gear's own. */
   void fineness()
   {
-    const auto sizes = [](const std::string &word, const double of_gear) {
-      GearBodyOptions          pinion, gear;
-      dealii::ParameterHandler prm;
-      GearBodyOptions::declare_fineness(prm, pinion, gear);
-      prm.set("mesh", word);
-      gear.element_size = of_gear;
-      return Vector2(pinion.with_open_sizes(paper::pinion().blank()).element_size,
-                     gear.with_open_sizes(paper::gear().blank()).element_size);
-    };
+    const auto sizes =
+      [](const std::string &word, const double of_gear, const bool has_numbers = false) {
+        GearBodyOptions          pinion, gear;
+        dealii::ParameterHandler prm;
+        GearBodyOptions::declare_fineness(prm, pinion, gear, has_numbers);
+        prm.set("mesh", word);
+        gear.element_size = of_gear;
+        return Vector2(pinion.with_open_sizes(paper::pinion().blank()).element_size,
+                       gear.with_open_sizes(paper::gear().blank()).element_size);
+      };
     // 79 teeth on a pitch diameter of 249 mm
     const double module = 2. * paper::gear().blank().outer_cone_distance *
                           std::sin(paper::gear().blank().pitch_angle) / 79.;
@@ -60,6 +61,8 @@ namespace
           (sizes("coarse", 0) - 2. / 3. * module * Vector2::Ones()).norm() < 1e-3 * module &&
             (sizes("medium", 0) - .675 * sizes("coarse", 0)).norm() < 1e-12 &&
             (sizes("fine", 0) - .45 * sizes("coarse", 0)).norm() < 1e-12);
+    check("auto: numbers of cells hold where there are some, otherwise coarse",
+          sizes("auto", 0, true).norm() == 0. && sizes("auto", 0) == sizes("coarse", 0));
     check("by members: numbers of cells hold", sizes("by members", 0).norm() == 0.);
     check("a member's own size holds", sizes("medium", 1.5)[1] == 1.5);
   }

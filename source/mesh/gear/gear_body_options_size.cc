@@ -34,15 +34,18 @@ namespace vfife
 
   void GearBodyOptions::declare_fineness(dealii::ParameterHandler &prm,
                                          GearBodyOptions          &pinion,
-                                         GearBodyOptions          &gear)
+                                         GearBodyOptions          &gear,
+                                         const bool                has_numbers)
   {
     // Edges in modules (doc/verification/gear-pair.md, Penalty and mesh, has what each of them
     // leaves as error).
-    static const Choices<double> edges = {{"by members", 0.},
-                                          {"coarse", 2. / 3.},
-                                          {"medium", .45},
-                                          {"fine", .3}};
-    std::vector<std::string>     words;
+    const double             coarse_edge = 2. / 3.;
+    const Choices<double>    edges       = {{"auto", has_numbers ? 0. : coarse_edge},
+                                            {"by members", 0.},
+                                            {"coarse", coarse_edge},
+                                            {"medium", .45},
+                                            {"fine", .3}};
+    std::vector<std::string> words;
     for (const auto &edge : edges)
       words.push_back(edge.first);
     declare_choice(
@@ -50,13 +53,15 @@ namespace vfife
       "mesh",
       words,
       words.front(),
-      [&pinion, &gear](const unsigned int chosen) {
+      [&pinion, &gear, edges](const unsigned int chosen) {
         pinion.edge_in_modules = gear.edge_in_modules = edges[chosen].second;
       },
       "Mesh density of both bodies. coarse, medium, fine: edge lengths of about "
       "0.67, 0.45 and 0.3 outer transverse modules; by members: the "
       "numbers of elements in the Mesh sections of the members, by default about 1,300 elements "
-      "per tooth. The element size of a member overrides this choice");
+      "per tooth; auto: by members where the file has a section Mesh of a member, otherwise "
+      "coarse. "
+      "The element size of a member overrides this choice");
   }
 
   void GearBodyOptions::leave_sizes_open()

@@ -88,7 +88,11 @@ namespace vfife
     {
       Subsection section(prm, "Gear pair");
       pair_.declare(prm);
-      GearBodyOptions::declare_fineness(prm, members_[0].body, members_[1].body);
+      GearBodyOptions::declare_fineness(prm,
+                                        members_[0].body,
+                                        members_[1].body,
+                                        file.contains("Gear pair/Pinion/Mesh") ||
+                                          file.contains("Gear pair/Gear/Mesh"));
       Subsection housing(prm, "Housing");
       declare_file_name(
         prm,

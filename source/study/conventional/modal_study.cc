@@ -215,6 +215,11 @@ namespace vfife
         refuse_standing_springs(model, b);
         warn_of_averaged_bearings(model, b, log);
       }
+    else if (body.rate != 0)
+      log.line(body.name(),
+               ": modes at rest; in operation it rotates at ",
+               std::abs(body.rate) * 30. / pi,
+               " rpm. Set Fem/speeds, and Fem/coriolis = yes for travelling waves");
     // Dampers of bearings are not in the ratios, which are unknown then.
     const double zeta = warn_of_dampers(model, b, log) ? not_known : dynamics_.mass_damping();
     for (const double rate : rates)

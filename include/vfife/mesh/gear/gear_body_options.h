@@ -89,9 +89,12 @@ namespace vfife
     }
 
     /** Declares in the current section, that of a pair, the choice of a mesh in modules for both
-     * its bodies: edge_in_modules. */
-    static void
-    declare_fineness(dealii::ParameterHandler &prm, GearBodyOptions &pinion, GearBodyOptions &gear);
+     * its bodies: edge_in_modules. By default it is open where these have their numbers of
+     * elements from the file, and coarse otherwise. */
+    static void declare_fineness(dealii::ParameterHandler &prm,
+                                 GearBodyOptions          &pinion,
+                                 GearBodyOptions          &gear,
+                                 bool                      has_numbers);
 
     /** Leaves the sizes of the body open, to follow from the blank: web, rim, hub, bore. */
     void leave_sizes_open();

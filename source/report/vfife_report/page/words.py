@@ -25,6 +25,7 @@ ROWS = (("operating speed of the pinion", "Operation/speed"),
         ("contact points, contact surface", "Contact/discretization", "Contact/surface"),
         ("friction coefficient", "Contact/friction coefficient"),
         ("rotation of an element, element type", "Dynamics/corotational frame", "Dynamics/element type"))
+ZERO_IS_SAID = ["Contact/friction coefficient"]  # no friction, where readers expect some
 # Groups of the summary, and what readers call an entry of each.
 FINDINGS = (("input conflicts", "input conflict"), ("warnings", "warning"))
 RECORD_ONLY = "Its peak to peak values hold for this record only; a longer record gives other values."
@@ -84,12 +85,12 @@ def list_case_rows(run):
     for name, *keys in (BLANK_ROWS if given else ()) + ROWS:
         values = [describe_damping(parameters) if key == "Dynamics/mass proportional damping" else label(VALUES, parameters[key])
                   for key in keys if key in parameters]
-        if not all(is_zero(value) for value in values) and not unused.issuperset(keys):
+        if values and (keys == ZERO_IS_SAID or not all(is_zero(value) for value in values)) and not unused.issuperset(keys):
             yield name.format(driven=name_driven(parameters)), ", ".join(values)
     yield from list_sweep_rows(parameters)
     yield from list_error_rows(run)
     mesh = parameters.get("Gear pair/mesh")
-    if mesh:
+    if mesh and mesh != "auto":
         yield "mesh", "given by the entries of each member" if mesh == "by members" else mesh
     web = describe_web(parameters)
     if web.startswith("web"):
