@@ -196,6 +196,30 @@ subsection Fem
     check("clamped bar: numbered, at rest",
           modes.numbers("mode")[largest] == largest + 1 && modes.numbers("speed")[largest] == 0);
   }
+
+  /** One sector by default, which has the lowest modes of the whole body. */
+  void lowest_by_sectors(Communicator &world)
+  {
+    std::ofstream("modal_sectors.prm") << modal("set bodies = gear\nset modes = 12\n");
+    run_pair("modal_sectors.prm", "modal_sectors", world);
+    run_pair("modal_sectors.prm", "modal_whole", world, {"Fem/cyclic symmetry=no"});
+    const Table sectors = read_result_table("modal_sectors/modes.csv"),
+                whole   = read_result_table("modal_whole/modes.csv");
+    const auto &found = sectors.numbers("frequency"), &expected = whole.numbers("frequency");
+    check("sectors: as many modes", found.size() == 12 && expected.size() == 12);
+    double difference = 0, inertia = 0;
+    for (std::size_t k = 0; k < found.size(); ++k)
+      {
+        difference = largest_of(difference, std::abs(found[k] - expected[k]) / expected.back());
+        inertia    = largest_of(inertia,
+                             std::abs(sectors.numbers("effective inertia z")[k] -
+                                      whole.numbers("effective inertia z")[k]));
+      }
+    check_below("sectors: frequencies", difference, 1e-6);
+    check_below("sectors: effective inertia about the axis, over that of the body",
+                inertia / whole.numbers("effective inertia z")[0],
+                1e-6);
+  }
 } // namespace
 
 int main(int argc, char **argv)
@@ -237,6 +261,7 @@ int main(int argc, char **argv)
 
   gear_files();
   clamped_bar(session.world());
+  lowest_by_sectors(session.world());
 
   const auto refusal = [&session](const std::string &bodies) {
     std::ofstream("modal.prm") << modal("set bodies = " + bodies + "\n");
