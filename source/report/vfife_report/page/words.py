@@ -192,7 +192,7 @@ def describe_start(parameters):
     if start == "static equilibrium":
         return "equilibrium under centrifugal force and full torque"
     if start == "steady torsional vibration":
-        return "the periodic vibration at the mesh frequency"
+        return "an estimate of the periodic vibration at the mesh frequency"
     if start == "ramp":
         return f"flanks in contact; the torque increases over {parameters['Operation/ramp']} mesh cycles"
     return f"the start \"{start}\""
