@@ -225,7 +225,7 @@ namespace vfife
 
   std::optional<Model> GearCase::make_reference_model() const
   {
-    if (!quadratic_reference_)
+    if (reference_degree_ == 1)
       return std::nullopt;
     GearCase reference = *this;
     for (Member &member : reference.members_)

@@ -25,15 +25,15 @@ namespace vfife
      * takes away. */
     constexpr double least_gain = 0.5;
 
-    /** Mean static transmission error of the pair by quadratic elements [rad]; nothing where they
-     * are not asked for or cannot be had, with the reason in the @p log. Collective. */
+    /** Mean static transmission error of the pair by quadratic or cubic elements [rad]; nothing
+     * where they are not asked for or cannot be had, with the reason in the @p log. Collective. */
     std::optional<double> find_reference_error(const PairCase     &the_case,
                                                const Compliance   &own,
                                                const Communicator &communicator,
                                                Log                &log)
     {
       const auto warn = [&log](const std::exception &error) {
-        log.warning("Contact/penalty elements: no quadratic elements (", error.what(), ")");
+        log.warning("Contact/penalty elements: no elements of higher degree (", error.what(), ")");
       };
       try
         {
@@ -48,12 +48,15 @@ namespace vfife
             }
           const auto start = WallClock::now();
           FemOptions fem;
-          fem.element  = FemElement::quadratic;
-          fem.geometry = FemGeometry::curved;
-          fem.mass     = MassKind::lumped;
+          const bool is_cubic = the_case.reference_degree() == 3;
+          fem.element         = is_cubic ? FemElement::cubic : FemElement::quadratic;
+          fem.geometry        = FemGeometry::curved;
+          fem.mass            = MassKind::lumped;
           Compliance   compliance(*model, fem, model->any_body_turns(), communicator);
           const double error = find_mean_error(the_case, compliance, *model);
-          log.line("mean transmission error at rest by quadratic elements: ",
+          log.line("mean transmission error at rest by ",
+                   is_cubic ? "cubic" : "quadratic",
+                   " elements: ",
                    error / arcsecond,
                    " arcsec; the penalty is calibrated to it; found in ",
                    seconds_since(start),
@@ -108,7 +111,10 @@ namespace vfife
     if (degree_of(fem.element) > 1)
       reference = find_divided_error(the_case, fem, model, communicator, log);
     else if ((reference = find_reference_error(the_case, *settled.compliance, communicator, log)))
-      settled.figures.push_back({figure_name::reference_error, {*reference / arcsecond, "arcsec"}});
+      settled.figures.push_back({the_case.reference_degree() == 3
+                                   ? "mean transmission error at rest, cubic elements"
+                                   : figure_name::reference_error,
+                                 {*reference / arcsecond, "arcsec"}});
     const std::vector<double> errors =
       calibrate_penalty(the_case, *settled.compliance, log, model, reference);
     if (!errors.empty())

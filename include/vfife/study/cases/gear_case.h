@@ -49,9 +49,13 @@ namespace vfife
     NamedFigures                rate(Log &log) const override;
     std::array<BlankOutline, 2> outlines() const override;
     std::optional<Model>        make_reference_model() const override;
-    std::optional<Model>        make_submodel_mesh(unsigned int cells_lengthwise) const override;
-    std::vector<BodyFigures>    measure_bodies(const Model &model) const override;
-    Table                       meridian_table() const override;
+    unsigned int                reference_degree() const override
+    {
+      return reference_degree_;
+    }
+    std::optional<Model>     make_submodel_mesh(unsigned int cells_lengthwise) const override;
+    std::vector<BodyFigures> measure_bodies(const Model &model) const override;
+    Table                    meridian_table() const override;
     Table
     flank_points(unsigned int member, unsigned int lengthwise, unsigned int profile) const override;
 
@@ -141,7 +145,7 @@ namespace vfife
     std::vector<Material> materials_;
     OperationOptions      operation_;
     ContactOptions        contact_;
-    bool                  quadratic_reference_ = true; ///< Contact/penalty elements
+    unsigned int          reference_degree_ = 2; ///< Contact/penalty elements
   };
 } // namespace vfife
 

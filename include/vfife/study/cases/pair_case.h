@@ -67,9 +67,10 @@ namespace vfife
     // Bodies and their meshes.
 
     virtual std::array<BlankOutline, 2> outlines() const = 0;
-    /** The same bodies on the mesh on which quadratic elements tell how compliant the springs of
-     * runs have to be; nothing where these make up for the contact alone. */
+    /** The same bodies on the mesh on which elements of reference_degree() tell how compliant the
+     * springs of runs have to be; nothing where these make up for the contact alone. */
     virtual std::optional<Model> make_reference_model() const = 0;
+    virtual unsigned int         reference_degree() const     = 0; ///< 2 or 3
     /** The same pair on the mesh of which submodels of its teeth are taken (RootSubmodels); nothing
      * without teeth that are generated. */
     virtual std::optional<Model> make_submodel_mesh(unsigned int cells_lengthwise) const = 0;

@@ -8,6 +8,7 @@ MEAN_ERROR = {1: "magnitude 1 to 5 % too small on meshes of the reference pair",
               3: "within 0.2 % on meshes of the reference pair"}
 # Runs and reduced pairs, whose penalty is calibrated to quadratic elements (Elements at speed).
 CALIBRATED_ERROR = "magnitude about 1.4 % too small on meshes of the reference pair"
+CUBIC_CALIBRATED_ERROR = "magnitude about 0.2 % too small on the coarse mesh of the reference pair"
 FREQUENCY_ERROR = {1: "1 to 3 % too high on the coarse gear of the reference pair", 2: "0.3 to 0.9 % too high on the coarse gear of the "
                    "reference pair", 3: "within 0.01 % on the coarse gear of the reference pair"}
 FREQUENCY_EXCESS = {1: (1., 3.), 2: (0.3, 0.9), 3: (0., 0.01)}  # the same [%]

@@ -3,7 +3,7 @@
 from itertools import islice
 
 from ..data.columns import CONTACT_FORCE, TRANSMISSION_ERROR
-from .accuracy import AT_CORNERS, CALIBRATED_ERROR, GRID_ERROR, INSIDE, MEAN_ERROR, RIPPLE_ERROR, describe_root, find_degree
+from .accuracy import AT_CORNERS, CALIBRATED_ERROR, CUBIC_CALIBRATED_ERROR, GRID_ERROR, INSIDE, MEAN_ERROR, RIPPLE_ERROR, describe_root, find_degree
 from .kind_results import (list_contact_results, list_frequencies, list_lumped_results, list_mesh_results, list_model_results,
                            list_order_results, list_speed_results, list_wave_results)
 from .kinds import find_kind
@@ -12,6 +12,7 @@ from .pressures import find_largest_pressure
 
 MOST_RESULTS = 5
 REFERENCE_ERROR = "mean transmission error at rest, quadratic elements"
+CUBIC_REFERENCE = "mean transmission error at rest, cubic elements"
 
 
 def describe_ripple(run, quantity, column):
@@ -40,6 +41,8 @@ def describe_mean(run):
     degree = find_degree(run)
     if degree > 1:
         return MEAN_ERROR[degree]
+    if CUBIC_REFERENCE in run.summary.get("figures", {}):
+        return CUBIC_CALIBRATED_ERROR
     return CALIBRATED_ERROR if REFERENCE_ERROR in run.summary.get("figures", {}) else MEAN_ERROR[1]
 
 
