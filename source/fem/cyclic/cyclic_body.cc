@@ -55,6 +55,14 @@ namespace vfife
         }
     }
 
+    /** Throws InputError where the body's constraints hold sectors differently. */
+    void require_held_alike(const Model &model, const unsigned int b)
+    {
+      for (const Constraint &constraint : model.constraints)
+        if (constraint.body == b)
+          require_alike(constraint, model.bodies[b]);
+    }
+
     /** Whether nothing holds the body's turn about its axis. Throws InputError where it can move
      * otherwise. */
     bool turns_freely(const FemSpace &whole)
@@ -90,9 +98,7 @@ namespace vfife
       return false;
     try
       {
-        for (const Constraint &constraint : model.constraints)
-          if (constraint.body == b)
-            require_alike(constraint, model.bodies[b]);
+        require_held_alike(model, b);
         FemSpace::sector_of(model, b, options);
       }
     catch (const InputError &)
@@ -113,9 +119,7 @@ namespace vfife
     , rotating_(require_own_supports(model, body), body, options_, alone_)
     , rate_(rate)
   {
-    for (const Constraint &constraint : model.constraints)
-      if (constraint.body == body)
-        require_alike(constraint, model.bodies[body]);
+    require_held_alike(model, body);
     turns_       = !options_.hold_hubs && turns_freely(rotating_.whole());
     equilibrium_ = find_equilibrium(rate);
     find_turn();

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 // For one speed: the equilibrium under centrifugal force; stiffness and mass about it, for the
 // whole body or for each harmonic of a sector; their modes; and, with Coriolis forces, waves in the
@@ -42,6 +43,18 @@ namespace vfife
           shape[i] /= largest;
           imaginary[i] /= largest;
         }
+    }
+
+    /** Modes of a harmonic beside those of others, unsorted. */
+    void append(ModesAtSpeed part, ModesAtSpeed &all)
+    {
+      all.modes.insert(all.modes.end(),
+                       std::make_move_iterator(part.modes.begin()),
+                       std::make_move_iterator(part.modes.end()));
+      all.n_rigid += part.n_rigid;
+      all.n_unknowns = std::max(all.n_unknowns, part.n_unknowns);
+      all.memory     = std::max(all.memory, part.memory);
+      all.counted    = all.counted && part.counted;
     }
 
     /** How often modes are searched again for the completeness of waves. */
@@ -257,9 +270,6 @@ namespace vfife
       std::nth_element(all.begin(), all.begin() + options_.n_modes - 1, all.end());
       return all[options_.n_modes - 1];
     };
-    const auto above = [](const RotatingMode &mode, const double top) {
-      return mode.frequency > top;
-    };
     const auto solve = [&](const unsigned int h, const unsigned int n_modes) {
       Diameter &one     = diameters[h];
       one.n_modes       = n_modes;
@@ -274,7 +284,9 @@ namespace vfife
       for (Diameter &any : diameters)
         any.found.modes.erase(std::remove_if(any.found.modes.begin(),
                                              any.found.modes.end(),
-                                             [&](const auto &mode) { return above(mode, top); }),
+                                             [top](const auto &mode) {
+                                               return mode.frequency > top;
+                                             }),
                               any.found.modes.end());
     };
     const unsigned int first = std::min(first_modes, options_.n_modes);
@@ -288,15 +300,7 @@ namespace vfife
       while (diameters[h].highest < limit() && diameters[h].n_modes < options_.n_modes)
         solve(h, std::min(2 * diameters[h].n_modes, options_.n_modes));
     for (Diameter &one : diameters)
-      {
-        result.modes.insert(result.modes.end(),
-                            std::make_move_iterator(one.found.modes.begin()),
-                            std::make_move_iterator(one.found.modes.end()));
-        result.n_rigid += one.found.n_rigid;
-        result.n_unknowns = std::max(result.n_unknowns, one.found.n_unknowns);
-        result.memory     = std::max(result.memory, one.found.memory);
-        result.counted    = result.counted && one.found.counted;
-      }
+      append(std::move(one.found), result);
   }
 
   std::vector<std::vector<double>> RotatingBody::rigid_motions(const FemSystem   &system,
@@ -396,47 +400,43 @@ namespace vfife
             options.n_modes = std::min(most, options.n_modes + std::max(8u, options.n_modes / 4));
             continue;
           }
-        result.modes.insert(result.modes.end(),
-                            std::make_move_iterator(part.modes.begin()),
-                            std::make_move_iterator(part.modes.end()));
-        result.n_rigid += found.rigid.size();
-        result.n_unknowns = std::max(result.n_unknowns, found.n_unknowns);
-        result.memory     = std::max(result.memory, found.memory);
-        result.counted    = result.counted && found.counted && is_complete;
+        part.n_rigid    = found.rigid.size();
+        part.n_unknowns = found.n_unknowns;
+        part.memory     = found.memory;
+        part.counted    = found.counted && is_complete;
+        append(std::move(part), result);
         return;
       }
   }
 
-  std::array<double, 6> RotatingBody::compute_effective_mass(const SystemMatrices      &matrices,
-                                                             const unsigned int         harmonic,
-                                                             const std::vector<double> &shape) const
+  std::array<double, 6>
+  RotatingBody::compute_effective_mass(const std::vector<std::vector<double>> &loads,
+                                       const unsigned int                      harmonic,
+                                       const std::vector<double>              &shape) const
   {
     // r of a motion along and about the axis is in the harmonic 0, across it in the harmonic 1 as
     // in rigid_motions(). Over N sectors the squared norm of a shape of norm 1 is N, respectively
     // N/2, and so is its product with r over that of the sector.
     std::array<double, 6> effective = {};
-    if (harmonic > 1)
+    if (loads.empty())
       return effective;
-    const Body               &body    = model_.bodies[body_];
-    const std::size_t         copy    = 3 * static_cast<std::size_t>(space_.n_points());
-    const bool                is_pair = shape.size() > copy;
-    const Vector3             a       = compute_sector_axis(body).direction;
-    const auto                unit = make_rigid_motions(space_, space_.parts()[0], body.axis.point);
-    const std::vector<double> real(shape.begin(), shape.begin() + copy),
-      imaginary(shape.begin() + (is_pair ? copy : 0), shape.end());
-    std::array<double, 6> of_real, of_imaginary;
+    using Field               = Eigen::Map<const Eigen::VectorXd>;
+    const Body       &body    = model_.bodies[body_];
+    const std::size_t copy    = loads.front().size();
+    const bool        is_pair = shape.size() > copy;
+    const Vector3     a       = compute_sector_axis(body).direction;
     for (unsigned int d = 0; d < 6; ++d)
       {
-        of_real[d]      = matrices.mass_product(real, unit[d]);
-        of_imaginary[d] = matrices.mass_product(imaginary, unit[d]);
-      }
-    for (unsigned int d = 0; d < 6; ++d)
-      {
-        const Vector3 e = Vector3::Unit(d % 3), along = a * a.dot(e), across = e - along;
-        const Eigen::Map<const Vector3> p(of_real.data() + d / 3 * 3),
-          q(of_imaginary.data() + d / 3 * 3);
-        const double product =
-          harmonic == 0 ? p.dot(along) : p.dot(across) + (is_pair ? q.dot(a.cross(across)) : 0.);
+        const Vector3 e = Vector3::Unit(d % 3), along = a * a.dot(e), across = e - along,
+                      quarter = a.cross(across);
+        double product        = 0;
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            const Field load(loads[d / 3 * 3 + c].data(), copy);
+            product += (harmonic == 0 ? along : across)[c] * load.dot(Field(shape.data(), copy));
+            if (harmonic == 1 && is_pair)
+              product += quarter[c] * load.dot(Field(shape.data() + copy, copy));
+          }
         effective[d] = body.structure().n_sectors() / (harmonic == 0 ? 1. : 2.) * product * product;
       }
     return effective;
@@ -447,6 +447,12 @@ namespace vfife
                                const ModalResult    &found,
                                ModesAtSpeed         &result) const
   {
+    // M r of unit motions r, which sectors have in the harmonics 0 and 1.
+    std::vector<std::vector<double>> loads;
+    if (options_.cyclic_symmetry && harmonic <= 1)
+      for (const auto &motion :
+           make_rigid_motions(space_, space_.parts()[0], model_.bodies[body_].axis.point))
+        loads.push_back(matrices.mass_forces(motion));
     for (const Mode &mode : found.modes)
       {
         if (!mode.is_rigid && mode.eigenvalue < -1e-3 * std::abs(found.shift))
@@ -458,7 +464,7 @@ namespace vfife
         entry.frequency      = mode.is_rigid ? 0. : mode.frequency();
         entry.residual       = mode.residual;
         entry.effective_mass = options_.cyclic_symmetry
-                                 ? compute_effective_mass(matrices, harmonic, mode.shape)
+                                 ? compute_effective_mass(loads, harmonic, mode.shape)
                                  : mode.effective_mass;
         entry.shape          = whole_shape(mode.shape, harmonic);
         std::vector<double> none(entry.shape.size(), 0.);

@@ -226,31 +226,32 @@ namespace vfife
     return add_scaled(std::move(residual), 1., springs);
   }
 
-  OwnedVector SystemMatrices::apply_mass(const std::vector<double> &field) const
+  Eigen::VectorXd SystemMatrices::mass_forces_of(const unsigned int         e,
+                                                 const std::vector<double> &field) const
   {
-    const FemSpace &d = system_.space();
-    return system_.vector([&](const unsigned int e) -> Eigen::VectorXd {
-      const Eigen::VectorXd values = d.gather(e, field);
-      const ElementNodes    forces =
-        Eigen::Map<const ElementNodes>(values.data(), 3, values.size() / 3) * mass_coefficients(e);
-      return Eigen::Map<const Eigen::VectorXd>(forces.data(), forces.size());
-    });
+    const Eigen::VectorXd values = system_.space().gather(e, field);
+    const ElementNodes    forces =
+      Eigen::Map<const ElementNodes>(values.data(), 3, values.size() / 3) * mass_coefficients(e);
+    return Eigen::Map<const Eigen::VectorXd>(forces.data(), forces.size());
   }
 
-  double SystemMatrices::mass_product(const std::vector<double> &u,
-                                      const std::vector<double> &v) const
+  OwnedVector SystemMatrices::apply_mass(const std::vector<double> &field) const
   {
-    const FemSpace &d   = system_.space();
-    double          sum = 0;
+    return system_.vector([&](const unsigned int e) { return mass_forces_of(e, field); });
+  }
+
+  std::vector<double> SystemMatrices::mass_forces(const std::vector<double> &field) const
+  {
+    const FemSpace     &d = system_.space();
+    std::vector<double> forces(field.size(), 0.);
     for (unsigned int e = 0; e < d.n_elements(); ++e)
       {
-        const Eigen::VectorXd first = d.gather(e, u), second = d.gather(e, v);
-        const auto            columns = first.size() / 3;
-        sum += (Eigen::Map<const ElementNodes>(first.data(), 3, columns) * mass_coefficients(e))
-                 .cwiseProduct(Eigen::Map<const ElementNodes>(second.data(), 3, columns))
-                 .sum();
+        const Eigen::VectorXd own    = mass_forces_of(e, field);
+        const unsigned int   *points = d.element_points(e);
+        for (Eigen::Index i = 0; i < own.size(); ++i)
+          forces[3 * static_cast<std::size_t>(points[i / 3]) + i % 3] += own[i];
       }
-    return sum;
+    return forces;
   }
 
   std::vector<OwnedVector> SystemMatrices::near_kernel() const

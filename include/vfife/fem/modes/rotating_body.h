@@ -118,9 +118,10 @@ namespace vfife
                    unsigned int          harmonic,
                    const ModalResult    &found,
                    ModesAtSpeed         &result) const;
-    /** Of the whole body, by a mode of one sector. */
-    std::array<double, 6> compute_effective_mass(const SystemMatrices      &matrices,
-                                                 unsigned int               harmonic,
+    /** Of the whole body, by a mode of one sector; @p loads: M r of six unit motions, none in
+     * harmonics that these are not in. */
+    std::array<double, 6> compute_effective_mass(const std::vector<std::vector<double>> &loads,
+                                                 unsigned int                            harmonic,
                                                  const std::vector<double> &shape) const;
     unsigned int          largest_diameter() const
     {

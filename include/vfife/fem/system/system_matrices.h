@@ -61,8 +61,8 @@ namespace vfife
 
     /** M r for a field r of all points: what a base motion r puts on the unknowns. */
     OwnedVector apply_mass(const std::vector<double> &field) const;
-    /** u^T M v of two fields of all points, without constraints. */
-    double mass_product(const std::vector<double> &u, const std::vector<double> &v) const;
+    /** M r at all points, 3 a point, without constraints. */
+    std::vector<double> mass_forces(const std::vector<double> &field) const;
 
     /** Owned parts of the rigid motions of each body, for multigrid. */
     std::vector<OwnedVector> near_kernel() const;
@@ -73,6 +73,8 @@ namespace vfife
     /** @p K and what bearings and couplings add to it. */
     FemMatrix       add_rings(FemMatrix K, const Rate &rate) const;
     Eigen::MatrixXd mass_coefficients(unsigned int e) const;
+    /** M r of an element, 3 a point. */
+    Eigen::VectorXd mass_forces_of(unsigned int e, const std::vector<double> &field) const;
     unsigned int    body(unsigned int e) const;
     const Axis     &axis(unsigned int e) const;
 

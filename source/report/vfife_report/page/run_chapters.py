@@ -16,7 +16,7 @@ from ..measures.waves import list_wave_lines
 from .chapter import Chapter
 from .parts import EXACT, Cells, Paragraph, list_values
 from .result_chapters import TRUST
-from .words import FINDINGS, RECORD_ONLY, list_case_rows, list_geometry_rows, list_model_rows
+from .words import FINDINGS, RECORD_ONLY, is_zero, list_case_rows, list_geometry_rows, list_model_rows
 
 SOLVED = 1e-5  # of the largest: what equations of an equilibrium are solved to
 
@@ -122,7 +122,7 @@ def tell_probes(run, plots):
 def has_sharp_foot(run):
     """Whether a probe is at node A of a web without a fillet at the hub."""
     return (run.probes is not None and any(name.startswith("node A") for name in run.probes["probe"])
-            and float(run.parameters.get("Gear pair/Gear/Body/hub fillet radius", "0").split()[0]) == 0)
+            and is_zero(run.parameters.get("Gear pair/Gear/Body/hub fillet radius", "0")))
 
 
 def suppress_rounding(table, name):
