@@ -43,6 +43,10 @@ int main()
        "  end\n end\nend\n"
        "subsection Dynamics\n set start = ramp\n set element type = full integration\nend\n");
 
+  // An entry that another section has.
+  show("subsection Tooth contact analysis\n set driving member = gear\n"
+       " set points per pitch = 8\nend\n");
+
   print_refusal(
     [] { show("subsection Dynamics\n set time step factor = 0.8\n set safety = 0.9\nend\n"); });
   return 0;

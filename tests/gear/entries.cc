@@ -191,7 +191,7 @@ end
 
   void analysis()
   {
-    // As the section Tooth contact analysis says: the coast side works when the gear drives
+    // As the section Operation says: the coast side works when the gear drives
     // forward.
     const auto read_analysis = [](const std::string &text) {
       ContactAnalysisOptions options;
@@ -201,13 +201,12 @@ end
     const auto side = [&](const std::string &text) { return read_analysis(text).working_side(); };
     check("the pinion drives forward", side("") == MeshSide::drive);
     check("the pinion drives in reverse",
-          side("subsection Tooth contact analysis\n set direction of rotation = reverse\nend\n") ==
+          side("subsection Operation\n set direction of rotation = reverse\nend\n") ==
             MeshSide::coast);
     check("the gear drives forward",
-          side("subsection Tooth contact analysis\n set driving member = gear\nend\n") ==
-            MeshSide::coast);
+          side("subsection Operation\n set driving member = gear\nend\n") == MeshSide::coast);
     check("the gear drives in reverse",
-          side("subsection Tooth contact analysis\n set driving member = gear\n"
+          side("subsection Operation\n set driving member = gear\n"
                " set direction of rotation = reverse\nend\n") == MeshSide::drive);
 
     const GearPair pair(paper::options());

@@ -124,9 +124,10 @@ end
 
   void held_by_bearings()
   {
-    const Model model = make_model(body("set rotating = yes\nset axis point = 5, 5, -100\n"
-                                        "set axis direction = 0, 0, -2\nset speed = 3000 rpm\n"));
-    const Body &made  = model.bodies.front();
+    const Model model =
+      make_model(body("set rotating = yes\nset axis point = 5, 5, -100\n"
+                      "set axis direction = 0, 0, -2\nset rotational speed = 3000 rpm\n"));
+    const Body &made = model.bodies.front();
     check("bearing: turns on its axis", made.turns_on_axis);
     check_close("bearing: rate [rad/s]", made.rate, 100 * pi, 1e-12);
     check_below("bearing: direction of length one",
@@ -217,7 +218,7 @@ end
                                 "set rotating = yes\nset axis direction = 0, 0, 0\n",
                                 "set rotating = yes\nset velocity = 1, 0, 0\n",
                                 "set rotating = yes\nset angular velocity = 1, 0, 0\n",
-                                "set speed = 1 rpm\n",
+                                "set rotational speed = 1 rpm\n",
                                 "set velocity = 1, 0\n",
                                 "set initial velocity y = 2*w\n"})
       refuse(body(entries));

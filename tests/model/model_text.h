@@ -48,7 +48,7 @@ inline std::string bar_and_ring(const std::string &names, const std::string &sec
          model_text::ring("ring",
                           {{20, 30, 5}},
                           {{2, 24, 1}},
-                          "set rotating = yes\nset speed = 100 rad/s\n") +
+                          "set rotating = yes\nset rotational speed = 100 rad/s\n") +
          sections + "end\n";
 }
 

@@ -22,8 +22,8 @@ namespace vfife
     {
       std::string                        sections; ///< "*" is any section, "Body *" any body
       std::string                        name;
-      std::string                        present_name;
-      std::map<std::string, std::string> words; ///< values by their former words
+      std::string                        present_name; ///< "Section/name" in another section
+      std::map<std::string, std::string> words;        ///< values by their former words
       CaseKind                           only = CaseKind::any;
     };
 
@@ -111,6 +111,7 @@ namespace vfife
       {"Model/Body *", "cells across width", "elements across width", {}},
       {"Model/Body *", "cells over height", "elements over height", {}},
       {"Model/Body *", "bearing", "rotating", {}},
+      {"Model/Body *", "speed", "rotational speed", {}},
       {"Gear pair/*/Shaft/Bearing *", "holds", "axial load direction", {}},
       {"Model/Constraint *", "holds", "axial load direction", {}},
       {"Benchmark", "largest number of ranks", "maximum number of ranks", {}},
@@ -130,6 +131,8 @@ namespace vfife
       {"Lumped", "speed damping", "driven speed damping", {}},
       {"Loaded contact", "first tooth mesh", "first position", {}},
       {"Tooth contact analysis", "tooth meshes", "mesh cycles", {}},
+      {"Tooth contact analysis", "driving member", "Operation/driving member", {}},
+      {"Tooth contact analysis", "direction of rotation", "Operation/direction of rotation", {}},
       {"Sweep", "beside", "reference folders", {}},
       {"Sweep", "error by", "numerical parameters", {}},
       {"Sweep", "combination", "combination", {{"product", "grid"}}},
@@ -216,12 +219,16 @@ namespace vfife
           renamed ? statement.name : statement.name + " = " + statement.value;
         if (!renamed && word == former->words.end())
           continue;
-        statement.name = former->present_name;
+        const std::size_t slash = former->present_name.find('/');
+        if (slash != std::string::npos)
+          statement.sections = {former->present_name.substr(0, slash)};
+        statement.name = former->present_name.substr(slash + 1); // npos + 1 is 0
         if (renamed)
           refuse_both_names(former->name, statement, statements);
         if (word != former->words.end())
           statement.value = word->second;
-        replaced.push_back(statement.place + ": \"" + before + "\" is now \"" + statement.name +
+        replaced.push_back(statement.place + ": \"" + before + "\" is now \"" +
+                           former->present_name +
                            (word != former->words.end() ? " = " + statement.value : "") + "\"");
       }
     return replaced;

@@ -139,7 +139,7 @@ namespace vfife
          << visible_options(line) << R"(
 study kinds (Study/kind in FILE.prm):
   run, reduced, waves, static, linear static, modal, lumped, sweep, compare, flank fit, mesh,
-  tooth contact analysis, loaded tooth contact analysis, benchmark
+  tooth contact analysis, loaded tooth contact analysis
 
 exit codes: 0 success, 1 input error, 2 computation failed, 3 stopped after a checkpoint
 signals: SIGUSR2 writes a checkpoint and stops; SIGTERM and SIGINT likewise without mpirun;

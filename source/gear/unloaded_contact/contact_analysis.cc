@@ -193,26 +193,30 @@ namespace vfife
 
   void ContactAnalysisOptions::declare(dealii::ParameterHandler &prm)
   {
-    Subsection section(prm, "Tooth contact analysis");
-    declare_quantity(prm,
-                     "marking compound thickness",
-                     marking_thickness,
-                     "um",
-                     "Gap between the flanks at the border of the contact ellipses",
-                     Range::positive());
-    declare_integer(prm,
-                    "points per pitch",
-                    points_per_pitch,
-                    "Points per pitch on path of contact and curves",
-                    4,
-                    10000);
-    declare_integer(prm,
-                    "mesh cycles",
-                    meshes,
-                    "Number of mesh cycles, where tooth deviations make the teeth unequal; 0: one "
-                    "revolution of the gear",
-                    0,
-                    100000);
+    {
+      Subsection section(prm, "Tooth contact analysis");
+      declare_quantity(prm,
+                       "marking compound thickness",
+                       marking_thickness,
+                       "um",
+                       "Gap between the flanks at the border of the contact ellipses",
+                       Range::positive());
+      declare_integer(prm,
+                      "points per pitch",
+                      points_per_pitch,
+                      "Points per pitch on path of contact and curves",
+                      4,
+                      10000);
+      declare_integer(
+        prm,
+        "mesh cycles",
+        meshes,
+        "Number of mesh cycles, where tooth deviations make the teeth unequal; 0: one "
+        "revolution of the gear",
+        0,
+        100000);
+    }
+    Subsection section(prm, "Operation");
     declare_driving(prm, driving, direction);
   }
 

@@ -102,8 +102,11 @@ namespace vfife
                    "Point on the axis of rotation; 0, 0, 0 of a body that does not rotate about "
                    "an axis: centre of mass of a shape, origin of a mesh file");
     declare_vector(prm, "axis direction", axis_direction, "-", "Direction of the axis of rotation");
-    declare_quantity(
-      prm, "speed", speed, "rad/s", "Angular velocity about the axis of a rotating body");
+    declare_quantity(prm,
+                     "rotational speed",
+                     speed,
+                     "rad/s",
+                     "Angular velocity about the axis of a rotating body; 600 rpm is accepted too");
     declare_vector(prm,
                    "velocity",
                    velocity,
@@ -162,9 +165,9 @@ namespace vfife
     if (bearing && (!velocity.isZero(0.) || !angular_velocity.isZero(0.)))
       throw InputError(
         section + "/" + (velocity.isZero(0.) ? "angular velocity" : "velocity"),
-        "must be zero for a body with a bearing, which moves by its speed about the axis only");
+        "must be zero for a rotating body, which moves by its rotational speed only");
     if (!bearing && speed != 0)
-      throw InputError(section + "/speed",
+      throw InputError(section + "/rotational speed",
                        "requires rotating = yes. Set angular velocity for a body that does not "
                        "rotate about an axis");
   }

@@ -132,7 +132,7 @@ namespace
       return rotor_text::cylinder(
         kind,
         "left, right",
-        "set initial velocity y = 40\nset speed = " + speed + " rad/s\n",
+        "set initial velocity y = 40\nset rotational speed = " + speed + " rad/s\n",
         "",
         "end\nsubsection Dynamics\nset start = static equilibrium\n"
               "set end time = 8 ms\nset mass proportional damping = 200\nend\n");
@@ -187,7 +187,7 @@ namespace
                  model_text::ring("ring",
                                   {{20, 30, 5}},
                                   {{2, 24, 1}},
-                                  "set rotating = yes\nset speed = 2000 rad/s\n"
+                                  "set rotating = yes\nset rotational speed = 2000 rad/s\n"
                                   "set initial velocity y = 10\n") +
                  "end\nsubsection Dynamics\n set mass proportional damping = 2000\n set end time = "
                  "5 ms\nend\n" +
@@ -275,7 +275,7 @@ namespace
         model_text::ring("ring",
                          {{inner, outer, 2}},
                          {{10, 72, 1}},
-                         "set rotating = yes\nset speed = 2000 rad/s\n"
+                         "set rotating = yes\nset rotational speed = 2000 rad/s\n"
                          "set initial velocity z = 60000\n") +
         model_text::section("Constraint journal",
                             "set kind = displacement\nset nodes = inner\n"

@@ -252,7 +252,7 @@ end
                  "    set kind = displacement\n    set directions = r, z\n  end\n" +
                    model_text::ring("ring", {{20, 30, 5}}, {{1, 24, 1}}, R"(
     set rotating     = yes
-    set speed        = 100 rad/s
+    set rotational speed = 100 rad/s
     set initial velocity x = -0.1*y*(x^2 + y^2)
     set initial velocity y = 0.1*x*(x^2 + y^2)
 )") + "end\n" +

@@ -176,7 +176,7 @@ subsection Model
 )" + model_text::block("bar", {{20, 4, 4}}, {{5, 2, 2}}, R"(
     set position   = 30, -2, 0 mm
     set rotating   = yes
-    set speed      = 500 rad/s
+    set rotational speed = 500 rad/s
 )") + R"(
   subsection Constraint drive
     set kind  = turning

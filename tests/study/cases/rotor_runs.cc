@@ -85,7 +85,7 @@ namespace
     const Columns run = run_text("whirl",
                                  cylinder("run",
                                           "left, right",
-                                          "set speed = 2000 rad/s\n"
+                                          "set rotational speed = 2000 rad/s\n"
                                           "set initial velocity x = 1.5*(z - 30)\n"
                                           "set initial velocity y = 40\n"
                                           "set initial velocity z = -1.5*x\n",
@@ -156,7 +156,7 @@ namespace
       "damped",
       cylinder("run",
                "left, right",
-               "set speed = 0\nset initial velocity y = 40\n",
+               "set rotational speed = 0\nset initial velocity y = 40\n",
                "set damping matrix = 0.5 0 0 0 0, 0 0.5 0 0 0, 0 0 0.1 0 0, 0 0 0 9 0, 0 0 0 0 9\n"
                "set tilting stiffness = 10 N mm/rad\n",
                run_of("8 ms")),
@@ -187,7 +187,7 @@ namespace
     std::ofstream(name + ".prm") << cylinder(
       "run",
       "left, right, drive",
-      "set speed = 300 rad/s\n",
+      "set rotational speed = 300 rad/s\n",
       "",
       model_text::section("Constraint drive",
                           "set kind = coupling\nset nodes = bottom\n"
@@ -245,7 +245,7 @@ namespace
       "balance",
       cylinder("run",
                "left, right, drive",
-               "set speed = 2000 rad/s\nset initial velocity x = 1.5*(z - 30)\n"
+               "set rotational speed = 2000 rad/s\nset initial velocity x = 1.5*(z - 30)\n"
                "set initial velocity y = 40\nset initial velocity z = -1.5*x\n",
                "set axial stiffness = 2000\nset radial damping = 2\n"
                "set tilting stiffness = 1e6\nset tilting damping = 100\n",
@@ -341,7 +341,7 @@ namespace
                  "set loads = push\n" +
                  shaft("0 60 100",
                        "set elements around = 16\nset axial element size = 15\n"
-                       "set radial element size = 20\nset speed = 60 rad/s\n") +
+                       "set radial element size = 20\nset rotational speed = 60 rad/s\n") +
                  ball_seat("left", "z < 1") + ball_seat("right", "z > 59") +
                  bearing("along", "z < 1", "set axial stiffness = 1000\n") +
                  model_text::section("Load push",

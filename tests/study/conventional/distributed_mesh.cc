@@ -153,7 +153,7 @@ namespace
     text.clamp = "set kind = displacement\nset directions = x\nset nodes = x-\n";
     refuse(text);
     text      = Text();
-    text.body = "set rotating = yes\nset speed = 100 rad/s\n";
+    text.body = "set rotating = yes\nset rotational speed = 100 rad/s\n";
     text.more = model_text::section("Load pull", "set nodes = x+\nset force = 0, 0, 7 N\n") +
                 model_text::probe("tip", "20, 5, 5 mm");
     refuse(text);

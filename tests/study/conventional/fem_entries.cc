@@ -179,7 +179,7 @@ namespace
       model_text::ring("ring",
                        {{99.5, 100.5, 2}},
                        {{1, 90, 1}},
-                       "set rotating = yes\nset speed = 100 rad/s\n") +
+                       "set rotating = yes\nset rotational speed = 100 rad/s\n") +
       model_text::section("Constraint guide",
                           "set kind = displacement\nset directions = theta, z\n"
                           "set nodes = all\n") +

@@ -200,7 +200,7 @@ namespace
     std::string text = rigid_cylinder(
       kind,
       unequal(),
-      "set speed = 3000 rpm\n",
+      "set rotational speed = 3000 rpm\n",
       "set loads = push\nset probes = middle\n" + model_text::probe("middle", "0, 0, 30 mm") +
         model_text::section("Load push",
                             "set kind = force\nset nodes = all\nset force = " + direction + "\n"));

@@ -17,7 +17,7 @@ namespace dealii
 
 namespace vfife
 {
-  /** Section "Tooth contact analysis". */
+  /** Section "Tooth contact analysis", and what section "Operation" says of the drive. */
   struct ContactAnalysisOptions
   {
     double marking_thickness =

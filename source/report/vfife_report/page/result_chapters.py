@@ -43,10 +43,11 @@ def tell_resonance(run):
         degree = find_degree(run)
         excess = FREQUENCY_EXCESS[degree]
         at_resonance = distance is not None and abs(distance) < max(excess)
-        words = f"Nearest resonance of the loaded pair at mesh orders 1 to 3: {nearest}."
+        words = f"Nearest resonance of the loaded pair on this mesh at mesh orders 1 to 3: {nearest}."
         if speed:
             highest, lowest = (speed / (1 + one / 100) for one in excess)
-            words += f" Frequencies are {FREQUENCY_ERROR[degree]}, so expect this resonance between {lowest:.0f} and {highest:.0f} rpm."
+            words = (f"Expect the nearest resonance of the loaded pair between {lowest:.0f} and {highest:.0f} rpm of the pinion, "
+                     f"because frequencies are {FREQUENCY_ERROR[degree]}. {words}")
         yield Paragraph(words + " Treat the operating speed as near this resonance." * at_resonance,
                         "alarm" if at_resonance else "")
 
