@@ -5,6 +5,7 @@
 // quadratic elements the run starts with the transmission error of these.
 #include "../../tests.h"
 #include "../quick_pair.h"
+#include "grid_errors.h"
 
 #include <vfife/base/process/mpi_session.h>
 
@@ -29,19 +30,6 @@ namespace
              world,
              overrides);
     return read_columns("auto_penalty/loaded_contact.csv")["transmission error"];
-  }
-
-  /** By the contact's own grid, of each position, which has a row per tooth pair. */
-  Curve grid_errors(const std::string &folder)
-  {
-    const auto               pressure = read_columns(folder + "/pressure.csv");
-    std::map<double, double> errors;
-    for (std::size_t i = 0; i < pressure.at("position").size(); ++i)
-      errors[pressure.at("position")[i]] = pressure.at("transmission error")[i];
-    Curve curve;
-    for (const auto &error : errors)
-      curve.push_back(error.second);
-    return curve;
   }
 
   /** Of the first sample of a history, in which the pair stands as at the start [arcsec]. */
