@@ -187,7 +187,7 @@ namespace
     const std::string text = read_text(folder_name + "/run.log");
     check("log has the lines of the folder's life",
           text.rfind("before\nduring\n", 0) == 0 && !has_text(text, "after"));
-    check("progress in the log", has_text(text, " 25 %  0.250 ms  mesh 2.2  step 40"));
+    check("progress in the log", has_text(text, " 25 %  0.250 ms  mesh cycle 2.2  step 40"));
     const std::size_t last = text.find("100 %  1.000 ms");
     check("one line of the end, without time left",
           last != std::string::npos && text.find("100 %", last + 1) == std::string::npos &&

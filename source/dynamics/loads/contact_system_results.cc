@@ -220,10 +220,10 @@ namespace vfife
         std::ostringstream text;
         set_figure_digits(text, 3);
         text << "contact " << pair->definition.side
-             << ": after a loss of contact, points stiffer than "
-             << pair->contact.penalty() / rattling << " N/mm^3 oscillate at the step of "
-             << 1e9 * dt << " ns; the stiffest point has " << pair->contact.penalty()
-             << " N/mm^3. A smaller Contact/penalty avoids this";
+             << ": after a separation, contact forces may oscillate between steps of " << 1e9 * dt
+             << " ns at points stiffer than " << pair->contact.penalty() / rattling
+             << " N/mm^3; the stiffest point has " << pair->contact.penalty()
+             << " N/mm^3. Set a smaller Dynamics/time step factor";
         sentences.push_back(text.str());
       }
     return sentences;

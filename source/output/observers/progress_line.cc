@@ -76,14 +76,14 @@ namespace vfife
 
   std::string ProgressLine::compose(const Model &model, const State &state) const
   {
-    // " 25 %  0.250 ms  mesh 2.2  step 40  energy error 1.0e-06  DTE -35.50 arcsec  12 min 03 s
-    // left"
+    // " 25 %  0.250 ms  mesh cycle 2.2  step 40  energy error 1.0e-06  DTE -35.50 arcsec  12 min 03
+    // s left"
     const double       done = (state.time - start_time_) / (end_time_ - start_time_);
     std::ostringstream text;
     text << std::fixed << std::setprecision(0) << std::setw(3) << std::floor(100 * done + 1e-9)
          << " %  " << std::setprecision(3) << 1e3 * state.time << " ms";
     if (model.transmission)
-      text << std::setprecision(1) << "  mesh "
+      text << std::setprecision(1) << "  mesh cycle "
            << model.transmission->meshes(state.time) - model.transmission->meshes(start_time_);
     text << "  step " << state.step << std::scientific << std::setprecision(1) << "  energy error "
          << state.measured.energy.error();

@@ -5,7 +5,7 @@ PARTS_OF_ERROR = {
     "total at the start": "total",
     "teeth and rest": "tooth bending, contact, pinion and remainder",
     "web windup": "web windup (twist between hub and rim)",
-    "penalty compliance, in teeth and rest": "contact penalty, in the row of the teeth (compliance that the elements lack)"}
+    "penalty compliance, in teeth and rest": "of the row of the teeth: contact penalty (compliance that the elements lack)"}
 ENERGIES = {
     "kinetic": "kinetic energy",
     "kinetic, relative to the turning bodies": "kinetic energy of the vibration in the rotating frames",

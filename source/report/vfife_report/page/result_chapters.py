@@ -35,6 +35,10 @@ def tell_results(run, plots):
     yield from plots
 
 
+NEAR = (" The operating speed is near it: compute Study/kind = waves. A resonance grows over many mesh cycles, so a short record may not "
+        "show it.")
+
+
 def tell_resonance(run):
     """The wave resonance nearest to the operating speed; an alarm where the speed is within the error of frequencies."""
     nearest, speed = run.summary.get("nearest wave"), run.value("speed of the nearest wave")
@@ -43,13 +47,12 @@ def tell_resonance(run):
         degree = find_degree(run)
         excess = FREQUENCY_EXCESS[degree]
         at_resonance = distance is not None and abs(distance) < max(excess)
-        words = f"Nearest resonance of the loaded pair on this mesh at mesh orders 1 to 3: {nearest}."
+        words = f"Nearest computed resonance of the loaded pair at mesh orders 1 to 3: {nearest}."
         if speed:
             highest, lowest = (speed / (1 + one / 100) for one in excess)
-            words = (f"Expect the nearest resonance of the loaded pair between {lowest:.0f} and {highest:.0f} rpm of the pinion, "
-                     f"because frequencies are {FREQUENCY_ERROR[degree]}. {words}")
-        yield Paragraph(words + " Treat the operating speed as near this resonance." * at_resonance,
-                        "alarm" if at_resonance else "")
+            words += (f" Computed frequencies are {FREQUENCY_ERROR[degree]}, so expect the true resonance between {lowest:.0f} and "
+                      f"{highest:.0f} rpm.")
+        yield Paragraph(words + NEAR * at_resonance, "alarm" if at_resonance else "")
 
 
 def tell_ripple(run):
@@ -62,7 +65,7 @@ def tell_ripple(run):
         return
     needed = run.value("mesh cycles that a steady ripple needs")
     words = "The ripple (curve minus mean) is steady." if run.is_ripple_steady() else "The ripple (curve minus mean) is still transient."
-    yield Cells(["peak to peak", "first half", "second half", "unit", "largest change of the peak to peak value or of a harmonic [%]"], rows,
+    yield Cells(["peak to peak", "first half", "second half", "unit", "largest change, also of single harmonics [%]"], rows,
                 words + (f" A steady ripple needs at least {needed:.0f} mesh cycles." if needed else "")
                 + " Below a change of 10 % the ripple is steady.")
 

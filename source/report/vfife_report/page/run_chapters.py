@@ -65,8 +65,8 @@ def tell_transmission_error(run, plots):
     yield from plots
     if plots:
         yield Cells(["part", "value", "unit"], list_values(run.summary.get("transmission error", {}), PARTS_OF_ERROR),
-                    "Parts of the transmission error in the initial equilibrium, before the inertia of the stationary deformation is "
-                    "added. The first value of the run differs from the total by the effect of this inertia." if is_preloaded(run) else
+                    "Parts of the transmission error in the initial equilibrium. The run adds inertia forces of the deformation, which the "
+                    "bodies rotate through, so its first value differs from the total." if is_preloaded(run) else
                     "Parts of the transmission error in the equilibrium under full torque. The run reaches this torque after its start.")
 
 
@@ -105,8 +105,8 @@ def tell_probes(run, plots):
         yield Cells(["quantity at the probe", *run.probes["probe"]],
                     [[run.probes.label(name), *map(float, suppress_rounding(run.probes, name))] for name in shown])
         return
-    yield Cells(["probe", "peak [MPa]", "time of the peak [ms]", "least [MPa]", "median [MPa]", "deviation in the gear mesh",
-                 "duration [ms]", "deviation within the record"],
+    yield Cells(["probe", "peak [MPa]", "time of the peak [ms]", "least [MPa]", "median [MPa]", "stress in contact",
+                 "duration [ms]", "passage in the record"],
                 [[name, record["largest of the record"]["value"], 1e3 * record["at"]["value"], record["least of the record"]["value"],
                   record["median per revolution"]["value"], "decrease" if p.is_dip else "increase",
                   1e3 * p.duration if p.whole else None,

@@ -91,7 +91,7 @@ def list_case_rows(run):
     yield from list_error_rows(run)
     mesh = parameters.get("Gear pair/mesh")
     if mesh and mesh != "auto":
-        yield "mesh", "given by the entries of each member" if mesh == "by members" else mesh
+        yield "mesh", "by members (numbers of elements in their sections Mesh)" if mesh == "by members" else mesh
     web = describe_web(parameters)
     if web.startswith("web"):
         body = GEAR + "Body/"
@@ -192,7 +192,7 @@ def describe_start(parameters):
     if start == "static equilibrium":
         return "equilibrium under centrifugal force and full torque"
     if start == "steady torsional vibration":
-        return "an estimate of the periodic vibration at the mesh frequency"
+        return "the estimated steady torsional vibration"
     if start == "ramp":
         return f"flanks in contact; the torque increases over {parameters['Operation/ramp']} mesh cycles"
     return f"the start \"{start}\""
