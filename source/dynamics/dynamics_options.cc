@@ -37,14 +37,15 @@ namespace vfife
                        "velocity v; u is the velocity of the rigid motion that the supports allow: "
                        "the rotation of a rotating body, 0 of a clamped or sprung body",
                        Range::not_negative());
-      declare_number(prm,
-                     "damping ratio",
-                     options.damping_ratio,
-                     "Damping ratio at the damping frequency, instead of mass proportional "
-                     "damping: zeta = 4 pi ratio frequency; at other frequencies the ratio is "
-                     "inversely proportional to the frequency; 0: mass proportional damping "
-                     "applies",
-                     Range::between(0., 1.));
+      declare_number(
+        prm,
+        "damping ratio",
+        options.damping_ratio,
+        "Damping ratio at the damping frequency, instead of mass proportional "
+        "damping: zeta = 4 pi ratio frequency; at other frequencies the ratio is "
+        "inversely proportional to the frequency; not given: mass proportional damping "
+        "applies",
+        Range::between(0., 1.).or_word("not given"));
       declare_quantity(prm,
                        "damping frequency",
                        options.damping_frequency,
@@ -94,8 +95,8 @@ namespace vfife
                      virtual_damping,
                      "1/s",
                      "zeta of a virtual damping force -zeta m v with true masses and true time "
-                     "step; 0: scaled masses with adaptive damping",
-                     Range::not_negative());
+                     "step; adaptive: scaled masses with adaptive damping",
+                     Range::positive().or_word("adaptive"));
   }
 
   void DynamicsOptions::declare(dealii::ParameterHandler &prm)
@@ -137,9 +138,9 @@ namespace vfife
                      mass_scaling_step,
                      "s",
                      "Mass scaling: elements with a smaller critical time step (before the time "
-                     "step factor) get additional mass until they reach this one; 0: no mass "
+                     "step factor) get additional mass until they reach this one; none: no mass "
                      "scaling",
-                     Range::not_negative());
+                     Range::positive().or_word("none"));
     declare_number(prm,
                    "maximum added mass",
                    largest_added_mass,

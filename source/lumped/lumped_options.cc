@@ -172,39 +172,38 @@ namespace vfife
 
   void LumpedOptions::declare_pair(dealii::ParameterHandler &prm)
   {
-    const std::string from = "; 0: of the gear pair";
+    const std::string from = "; auto: of the gear pair";
     declare_choice(prm,
                    "pinion",
                    driver_is_free,
                    drives,
                    "Motion of the pinion: constant speed, or free under its part of the torque");
-    declare_integer(prm, "pinion teeth", driver_teeth, "Number" + from);
-    declare_integer(prm, "gear teeth", driven_teeth, "Number" + from);
+    declare_integer(prm, "pinion teeth", driver_teeth, "Number; 0: of the gear pair");
+    declare_integer(prm, "gear teeth", driven_teeth, "Number; 0: of the gear pair");
     declare_quantity(prm,
                      "pinion inertia",
                      driver_inertia,
                      "kg mm^2",
                      "Moment of inertia about the own axis" + from,
-                     Range::not_negative());
+                     Range::positive().or_word("auto"));
     declare_quantity(prm,
                      "gear inertia",
                      driven_inertia,
                      "kg mm^2",
                      "Moment of inertia about the own axis" + from,
-                     Range::not_negative());
+                     Range::positive().or_word("auto"));
     declare_quantity(prm,
                      "lever arm",
                      arm,
                      "mm",
                      "Lever arm of the contact normal about the gear's axis" + from,
-                     Range::not_negative());
+                     Range::positive().or_word("auto"));
     declare_vector(prm,
                    "contact normal",
                    contact_normal,
                    "-",
                    "Contact normal out of the gear into the pinion, in the fixed frame; needed "
-                   "with supports" +
-                     from);
+                   "with supports; 0, 0, 0: of the gear pair");
     declare_vector(prm,
                    "contact point",
                    contact_point,

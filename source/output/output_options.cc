@@ -67,8 +67,8 @@ namespace vfife
                    fields_every,
                    std::string("Interval between field files, in ") +
                      (of_model ? "samples of the histories" : "mesh cycles, such as 0.25") +
-                     "; 0: no field files",
-                   Range::not_negative());
+                     "; none: no field files",
+                   Range::positive().or_word("none"));
     declare_choice(prm,
                    "field format",
                    field_format,
@@ -100,8 +100,8 @@ namespace vfife
                      checkpoint_every,
                      "s",
                      "Wall time between checkpoints; one follows the static equilibrium at the "
-                     "start and one ends the run; 0: no checkpoints",
-                     Range::not_negative());
+                     "start and one ends the run; none: no checkpoints",
+                     Range::positive().or_word("none"));
     declare_switch(prm,
                    "report",
                    pictures,

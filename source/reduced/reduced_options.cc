@@ -25,15 +25,16 @@ namespace vfife
                    elements_choices,
                    "Elements of the bodies: the 8-node elements of explicit runs, or curved "
                    "quadratic (27 nodes) or cubic (64 nodes) elements on the same mesh");
-    declare_quantity(prm,
-                     "cutoff frequency",
-                     cutoff,
-                     "Hz",
-                     "Modes of the bodies up to this frequency are kept; higher ones respond "
-                     "statically. 0: six times the mesh frequency, and at least seven times (kind "
-                     "waves: three times) the breathing frequency of a free ring at the gear's "
-                     "pitch circle",
-                     Range::not_negative());
+    declare_quantity(
+      prm,
+      "cutoff frequency",
+      cutoff,
+      "Hz",
+      "Modes of the bodies up to this frequency are kept; higher ones respond "
+      "statically. auto: six times the mesh frequency, and at least seven times (kind "
+      "waves: three times) the breathing frequency of a free ring at the gear's "
+      "pitch circle",
+      Range::positive().or_word("auto"));
     declare_integer(prm,
                     "steps per mesh cycle",
                     steps_per_mesh,

@@ -92,6 +92,14 @@ namespace vfife
      */
     std::string range_words(const Range &range)
     {
+      if (!range.zero_word.empty())
+        {
+          Range numbers     = range;
+          numbers.zero_word = "";
+          numbers.open_below |= range.lowest == 0.;
+          const std::string words = range_words(numbers);
+          return words + (words.empty() ? "or \"" : ", or \"") + range.zero_word + "\"";
+        }
       const bool        below = std::isfinite(range.lowest), above = std::isfinite(range.highest);
       const std::string low = number_text(range.lowest), high = number_text(range.highest);
       if (below && above)
@@ -179,9 +187,12 @@ namespace vfife
   double
   read_quantity_in_range(const std::string &text, const std::string &unit, const Range &range)
   {
+    if (!range.zero_word.empty() && text == range.zero_word)
+      return 0.;
     const Unit    &bare     = find_unit(unit);
     const Quantity quantity = read_quantity(text, bare.name);
-    check_range(quantity, bare, range);
+    if (quantity.internal() != 0. || range.zero_word.empty())
+      check_range(quantity, bare, range);
     return quantity.internal();
   }
 
@@ -207,43 +218,12 @@ namespace vfife
     declare(
       prm,
       name,
-      quantity_text(value, unit),
+      value == 0. && !range.zero_word.empty() ? range.zero_word : quantity_text(value, unit),
       value,
       read,
       [&value](const double number) { value = number; },
       "a number" + (words.empty() ? "" : ", " + words) + " [" + unit + "]",
       describe_quantity(meaning, unit, range));
-  }
-
-  void declare_quantity_or_word(dealii::ParameterHandler &prm,
-                                const std::string        &name,
-                                double                   &value,
-                                const std::string        &unit,
-                                const std::string        &word,
-                                const std::string        &meaning)
-  {
-    // 0 is the word in files of earlier versions.
-    const auto read = [unit, word](const std::string &text) {
-      if (text == word)
-        return 0.;
-      try
-        {
-          return read_quantity_in_range(text, unit, Range::not_negative());
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(std::string(error.what()) + ", or \"" + word + "\"");
-        }
-    };
-    declare(
-      prm,
-      name,
-      value == 0. ? word : quantity_text(value, unit),
-      value,
-      read,
-      [&value](const double number) { value = number; },
-      "a positive number [" + unit + "] or \"" + word + "\"",
-      description_of(meaning, "positive, or \"" + word + "\"", unit));
   }
 
   void declare_vector(dealii::ParameterHandler &prm,

@@ -111,16 +111,16 @@ namespace vfife
                      "search tolerance",
                      search_skin,
                      "mm",
-                     "Relative motion after which the global contact search is repeated; 0: a "
+                     "Relative motion after which the global contact search is repeated; auto: a "
                      "fifth of a facet's width",
-                     Range::not_negative());
+                     Range::positive().or_word("auto"));
     declare_quantity(prm,
                      "contact depth limit",
                      depth_limit,
                      "mm",
-                     "Largest penetration at which two facets count as in contact; 0: half a "
+                     "Largest penetration at which two facets count as in contact; auto: half a "
                      "facet's width",
-                     Range::not_negative());
+                     Range::positive().or_word("auto"));
     declare_number(prm,
                    "abort penetration ratio",
                    penetration_limit,

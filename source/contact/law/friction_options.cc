@@ -17,12 +17,12 @@ namespace vfife
                    coefficient,
                    "Friction coefficient; mu_k of the exponential decay",
                    Range::between(0., 2.));
-    declare_quantity_or_word(prm,
-                             "static friction coefficient",
-                             static_coefficient,
-                             "-",
-                             "auto",
-                             "mu_s of the exponential decay; auto: the friction coefficient");
+    declare_quantity(prm,
+                     "static friction coefficient",
+                     static_coefficient,
+                     "-",
+                     "mu_s of the exponential decay; auto: the friction coefficient",
+                     Range::positive().or_word("auto"));
     declare_quantity(prm,
                      "friction decay speed",
                      decay_speed,

@@ -22,8 +22,12 @@ namespace vfife
 
   void PenaltyOptions::declare(dealii::ParameterHandler &prm)
   {
-    declare_quantity_or_word(
-      prm, "penalty", value, "N/mm^3", "auto", "Pressure per penetration; auto: " + derivation);
+    declare_quantity(prm,
+                     "penalty",
+                     value,
+                     "N/mm^3",
+                     "Pressure per penetration; auto: " + derivation,
+                     Range::positive().or_word("auto"));
     if (contact_laws().size() > 1)
       declare_choice(
         prm, "contact law", law, contact_laws(), "How the pressure grows with the penetration");

@@ -64,34 +64,35 @@ namespace vfife
                    hand,
                    hand_choices_or_auto(),
                    "Hand of spiral; auto: opposite to the hand of the mating member");
-    const auto declare_angle = [&](const char *name, double &angle, const char *meaning) {
-      declare_quantity(prm, name, angle, "deg", meaning, Range::between(0., 90.));
-    };
+    const auto declare_angle =
+      [&](const char *name, double &angle, const char *meaning, const char *open = "not given") {
+        declare_quantity(prm, name, angle, "deg", meaning, Range::between(0., 90.).or_word(open));
+      };
     declare_angle("pitch angle",
                   pitch_angle,
-                  "Angle of the pitch cone to the axis; 0: derived from the numbers of teeth");
-    declare_angle("face angle", face_angle, "Angle of the tip cone to the axis; 0: not given");
-    declare_angle("root angle", root_angle, "Angle of the root cone to the axis; 0: not given");
+                  "Angle of the pitch cone to the axis; auto: derived from the numbers of teeth",
+                  "auto");
+    declare_angle("face angle", face_angle, "Angle of the tip cone to the axis");
+    declare_angle("root angle", root_angle, "Angle of the root cone to the axis");
     const auto declare_length = [&](const char *name, double &length, const char *meaning) {
-      declare_quantity(prm, name, length, "mm", meaning, Range::not_negative());
+      declare_quantity(prm, name, length, "mm", meaning, Range::positive().or_word("not given"));
     };
     declare_length("mean cone distance",
                    mean_cone_distance,
-                   "Pitch apex to mid-face along the pitch cone; 0: not given");
+                   "Pitch apex to mid-face along the pitch cone");
     declare_length("outer cone distance",
                    outer_cone_distance,
-                   "Pitch apex to the heel along the pitch cone; 0: not given");
-    declare_length("face width", face_width, "Face width along the pitch cone; 0: not given");
+                   "Pitch apex to the heel along the pitch cone");
+    declare_length("face width", face_width, "Face width along the pitch cone");
     declare_length("mean addendum",
                    mean_addendum,
-                   "Tip over the pitch cone at the mean cone distance; 0: not given");
+                   "Tip over the pitch cone at the mean cone distance");
     declare_length("mean dedendum",
                    mean_dedendum,
-                   "Root under the pitch cone at the mean cone distance; 0: not given");
+                   "Root under the pitch cone at the mean cone distance");
     declare_angle("mean spiral angle",
                   spiral_angle,
-                  "Mean spiral angle, compared with the one that the machine settings generate; "
-                  "0: not given");
+                  "Mean spiral angle, compared with the one that the machine settings generate");
   }
 
   void Blank::examine(const std::string &section, Findings &findings) const

@@ -239,8 +239,8 @@ namespace vfife
                      "cutter diameter",
                      cutter_diameter,
                      "mm",
-                     "Nominal sum of outside and inside point radius; 0: not given",
-                     Range::not_negative());
+                     "Nominal sum of outside and inside point radius",
+                     Range::positive().or_word("not given"));
     declare_section(prm, "Blank", blank);
     {
       Subsection subsection(prm, "Both flanks");
@@ -249,8 +249,8 @@ namespace vfife
                        point_width,
                        "mm",
                        "Point width: outside minus inside point radius, given together with the "
-                       "cutter diameter instead of point radii; 0: not given",
-                       Range::not_negative());
+                       "cutter diameter instead of point radii",
+                       Range::positive().or_word("not given"));
       both.declare_shared(prm);
     }
     declare_section(prm, "Concave flank", concave);

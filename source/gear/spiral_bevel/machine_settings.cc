@@ -73,9 +73,9 @@ namespace vfife
                      "point radius",
                      point_radius,
                      "mm",
-                     "Point radius: cutter radius at the blade tip; 0: from the cutter diameter "
+                     "Point radius: cutter radius at the blade tip; auto: from the cutter diameter "
                      "and the other flank (spread blade)",
-                     Range::not_negative());
+                     Range::positive().or_word("auto"));
     declare_shared(prm);
   }
 
@@ -85,27 +85,27 @@ namespace vfife
                      "blade angle",
                      blade_angle,
                      "deg",
-                     "Blade angle to the cutter axis; 0: not given",
-                     Range::between(0., 60.));
+                     "Blade angle to the cutter axis",
+                     Range::between(0., 60.).or_word("not given"));
     declare_quantity(prm,
                      "blade edge radius",
                      edge_radius,
                      "mm",
-                     "Edge radius of the blade tip, which generates the fillet; 0: not given",
-                     Range::not_negative());
+                     "Edge radius of the blade tip, which generates the fillet",
+                     Range::positive().or_word("not given"));
     declare_quantity(prm,
                      "radial distance",
                      radial_distance,
                      "mm",
-                     "Radial distance between cutter axis and cradle axis; 0: not given",
-                     Range::not_negative());
+                     "Radial distance between cutter axis and cradle axis",
+                     Range::positive().or_word("not given"));
     declare_quantity(prm,
                      "cradle angle",
                      cradle_angle,
                      "deg",
                      "Cradle angle of the cutter; positive for a left-hand, negative for a "
-                     "right-hand member; 0: not given",
-                     Range::between(-180., 180.));
+                     "right-hand member",
+                     Range::between(-180., 180.).or_word("not given"));
     declare_quantity(prm,
                      "blank offset",
                      blank_offset,
@@ -127,14 +127,14 @@ namespace vfife
                      "machine root angle",
                      machine_root_angle,
                      "deg",
-                     "Machine root angle: angle between blank axis and machine plane; 0: not given",
-                     Range::between(0., 90.));
+                     "Machine root angle: angle between blank axis and machine plane",
+                     Range::between(0., 90.).or_word("not given"));
     declare_number(prm,
                    "ratio of roll",
                    ratio_of_roll,
-                   "Ratio of roll: rotation of the blank divided by rotation of the cradle; 0: "
+                   "Ratio of roll: rotation of the blank divided by rotation of the cradle; auto: "
                    "derived",
-                   Range::not_negative());
+                   Range::positive().or_word("auto"));
     declare_number(prm,
                    "modified roll second order",
                    second_order_roll,

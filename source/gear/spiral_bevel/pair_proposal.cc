@@ -372,8 +372,8 @@ namespace vfife
                      "face width",
                      face_width,
                      "mm",
-                     "Face width; 0: 0.3 of the outer cone distance",
-                     Range::not_negative());
+                     "Face width; auto: 0.3 of the outer cone distance",
+                     Range::positive().or_word("auto"));
     declare_quantity(
       prm, "spiral angle", spiral_angle, "deg", "Mean spiral angle", Range::between(10., 50.));
     declare_quantity(prm,
@@ -386,8 +386,8 @@ namespace vfife
                      "cutter radius",
                      cutter_radius,
                      "mm",
-                     "Mean radius of the cutter; 0: 0.82 of the mean cone distance",
-                     Range::not_negative());
+                     "Mean radius of the cutter; auto: 0.82 of the mean cone distance",
+                     Range::positive().or_word("auto"));
     declare_quantity(prm,
                      "transmission error at half pitch",
                      lag,

@@ -35,9 +35,9 @@ namespace vfife
         "web thickness",
         web_thickness,
         "mm",
-        "Web thickness, normal to the web; 0: in proportion to the pair 27/79 (1.587 "
+        "Web thickness, normal to the web; auto: in proportion to the pair 27/79 (1.587 "
         "modules), likewise for the other sizes",
-        Range::not_negative());
+        Range::positive().or_word("auto"));
       declare_quantity(prm,
                        "web inclination",
                        web_angle,
@@ -59,8 +59,8 @@ namespace vfife
                        "rim thickness",
                        rim_thickness,
                        "mm",
-                       "Rim thickness under the tooth root; 0: 2.7 modules",
-                       Range::not_negative());
+                       "Rim thickness under the tooth root; auto: 2.7 modules",
+                       Range::positive().or_word("auto"));
       declare_quantity(prm,
                        "rim fillet radius",
                        rim_fillet_radius,
@@ -78,24 +78,25 @@ namespace vfife
                        "hub radius",
                        hub_radius,
                        "mm",
-                       "Outer radius of the hub; 0: 0.632 of the root radius at the toe",
-                       Range::not_negative());
+                       "Outer radius of the hub; auto: 0.632 of the root radius at the toe",
+                       Range::positive().or_word("auto"));
       declare_quantity(
         prm,
         "bore radius",
         bore_radius,
         "mm",
-        "Radius of the bore; 0: 5/6 of the hub radius, or 0.64 of the root radius at "
+        "Radius of the bore; auto: 5/6 of the hub radius, or 0.64 of the root radius at "
         "the toe for a solid body",
-        Range::not_negative());
-      declare_quantity(prm,
-                       "hub length",
-                       hub_length,
-                       "mm",
-                       "Length of the hub along the axis, centred on the web; 0: 0.379 of the root "
-                       "radius at the toe, or 1.2 of the web's axial width at the hub if that is "
-                       "larger",
-                       Range::not_negative());
+        Range::positive().or_word("auto"));
+      declare_quantity(
+        prm,
+        "hub length",
+        hub_length,
+        "mm",
+        "Length of the hub along the axis, centred on the web; auto: 0.379 of the root "
+        "radius at the toe, or 1.2 of the web's axial width at the hub if that is "
+        "larger",
+        Range::positive().or_word("auto"));
     }
     declare_counts(prm);
     shaft.declare(prm);
@@ -104,13 +105,14 @@ namespace vfife
   void GearBodyOptions::declare_counts(dealii::ParameterHandler &prm)
   {
     const Subsection section(prm, "Mesh");
-    declare_quantity(prm,
-                     "element size",
-                     element_size,
-                     "mm",
-                     "Target edge length of elements; 0: given by the numbers of elements below. "
-                     "With a size, these numbers follow from it unless they are set",
-                     Range::not_negative());
+    declare_quantity(
+      prm,
+      "element size",
+      element_size,
+      "mm",
+      "Target edge length of elements; none: given by the numbers of elements below. "
+      "With a size, these numbers follow from it unless they are set",
+      Range::positive().or_word("none"));
     declare_integer(
       prm, "elements along face width", cells_lengthwise, "Elements along the face width", 1);
     declare_integer(prm,
@@ -181,15 +183,15 @@ namespace vfife
                    "part of the fillet's arc, from its bottom. Elements are most distorted "
                    "there; keep it away from the largest root stress",
                    Range::between(.2, .9));
-    declare_quantity_or_word(
+    declare_quantity(
       prm,
       "surface layer",
       surface_layer,
       "mm",
-      "none",
       "Thickness of a layer of elements under flanks, fillets, tips and root lands. Then the mesh "
       "blocks meet below the surface and not on the fillet, where root stresses are read. The "
-      "layer shortens the time step of runs. Use 0.2 modules for root stresses; none: no layer");
+      "layer shortens the time step of runs. Use 0.2 modules for root stresses; none: no layer",
+      Range::positive().or_word("none"));
   }
 
   GearBodyOptions pinion_body_defaults()

@@ -54,12 +54,13 @@ namespace vfife
       1000000);
     declare_integer(
       prm, "maximum mesh cycles", most_meshes, "Maximum length of a run until steady", 1, 1000000);
-    declare_quantity(prm,
-                     "end time",
-                     end_time,
-                     "s",
-                     "Length of the run as a time, instead of mesh cycles; 0: mesh cycles apply",
-                     Range::not_negative());
+    declare_quantity(
+      prm,
+      "end time",
+      end_time,
+      "s",
+      "Length of the run as a time, instead of mesh cycles; not given: mesh cycles apply",
+      Range::positive().or_word("not given"));
     declare_number(prm,
                    "ramp",
                    ramp,
@@ -73,8 +74,8 @@ namespace vfife
                      "Contact stress limit: the program warns if Hertzian pressure of a single "
                      "tooth pair under the whole torque exceeds it. 1500: endurance limit of "
                      "case-hardened steel, quality MQ (ISO 6336-5), without factors for life, size "
-                     "and lubrication; 0: no limit",
-                     Range::not_negative());
+                     "and lubrication; none: no limit",
+                     Range::positive().or_word("none"));
     declare_driving(prm, driving, direction);
     declare_choice(
       prm,

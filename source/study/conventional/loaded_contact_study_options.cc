@@ -48,7 +48,7 @@ namespace vfife
                      pressure_depth,
                      "mm",
                      "Minimum depth of the layer under the flanks whose flexibility is exact on "
-                     "that grid; 0: one and a half Hertzian contact widths under the whole load",
-                     Range::not_negative());
+                     "that grid; auto: one and a half Hertzian contact widths under the whole load",
+                     Range::positive().or_word("auto"));
   }
 } // namespace vfife

@@ -78,14 +78,14 @@ namespace vfife
                    "every",
                    every,
                    "Interval of further such instants at the end of the run, in mesh cycles, as "
-                   "0.125; 0: none",
-                   Range::not_negative());
+                   "0.125",
+                   Range::positive().or_word("none"));
     declare_number(prm,
                    "last",
                    last,
                    "Length of the end of the run with these instants, in mesh cycles; 1 covers "
-                   "the whole engagement of a tooth; 0: the whole run",
-                   Range::not_negative());
+                   "the whole engagement of a tooth; whole run: the whole run",
+                   Range::positive().or_word("whole run"));
     declare_integer(prm,
                     "pressure cells",
                     cells,
@@ -98,8 +98,8 @@ namespace vfife
                      depth,
                      "mm",
                      "Minimum depth of the layer under the flanks whose flexibility is exact on "
-                     "that grid; 0: one and a half Hertzian contact widths under the whole load",
-                     Range::not_negative());
+                     "that grid; auto: one and a half Hertzian contact widths under the whole load",
+                     Range::positive().or_word("auto"));
   }
 
   void InstantOptions::check() const

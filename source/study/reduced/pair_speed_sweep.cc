@@ -48,16 +48,16 @@ namespace vfife
                    allowed_amplification,
                    "Limit of the amplification in a sweep: contact force divided by its mean, "
                    "stress divided by stress without vibration; exceedances.csv lists the speeds "
-                   "above it; 0: no limit",
-                   Range::not_negative());
+                   "above it; none: no limit",
+                   Range::positive().or_word("none"));
     declare_quantity(prm,
                      "highest frequency",
                      highest_frequency,
                      "Hz",
                      "Highest frequency of transmission error, force and stress that a sweep "
-                     "evaluates; vibrations near the cutoff frequency are not physical; 0: half "
+                     "evaluates; vibrations near the cutoff frequency are not physical; auto: half "
                      "the cutoff frequency",
-                     Range::not_negative());
+                     Range::positive().or_word("auto"));
   }
 
   double PairSpeedSweepSetup::highest_frequency() const

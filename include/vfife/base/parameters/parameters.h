@@ -39,12 +39,22 @@ namespace vfife
     double highest    = std::numeric_limits<double>::infinity();
     bool   open_below = false; ///< lowest itself is not allowed
 
-    std::string hint = {}; ///< what stands in for what is not allowed; ends the message
+    std::string hint      = {}; ///< what to do instead; ends the message
+    std::string zero_word = {}; ///< written and read for 0, which then means no number
 
     Range with_hint(const std::string &text) const
     {
       Range range = *this;
       range.hint  = text;
+      return range;
+    }
+
+    /** The same with 0 as @p word: "auto" where the program finds the number, "not given"... Files
+     * of earlier versions have 0. */
+    Range or_word(const std::string &word) const
+    {
+      Range range     = *this;
+      range.zero_word = word;
       return range;
     }
 
@@ -80,15 +90,6 @@ namespace vfife
                         const std::string        &unit,
                         const std::string        &meaning,
                         const Range              &range = Range::any());
-
-  /** A positive quantity or @p word in its place, for which @p value is 0; the default is that of
-   * @p value. */
-  void declare_quantity_or_word(dealii::ParameterHandler &prm,
-                                const std::string        &name,
-                                double                   &value,
-                                const std::string        &unit,
-                                const std::string        &word,
-                                const std::string        &meaning);
 
   /** The number of a text as declare_quantity() reads it [internal units]. */
   double

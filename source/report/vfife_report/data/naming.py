@@ -62,6 +62,11 @@ def normalize(value):
         return tuple(words)
 
 
+def is_open(value):
+    """Whether an entry has no number: a word in its place, or 0 in files of earlier versions."""
+    return value in ("auto", "none", "not given") or normalize(value)[:1] == (0.0,)
+
+
 def name_variants(runs):
     """A short name for each run: what differs, else the folder."""
     differences = find_differences(runs)

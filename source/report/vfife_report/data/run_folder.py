@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 
 from .files import DamagedFile, find_fields, read_json
+from .naming import is_open
 from .parameters import read_parameters
 from .shapes import EDGE_CONTACT, GEOMETRY, STATED, SUMMARY
 from .table import read_table
@@ -44,12 +45,11 @@ class RunFolder:
         self.fields = find_fields(self.path)
 
     def fill_sizes(self):
-        """Sizes of bodies that entries leave open (0): as they were derived from the blank."""
+        """Sizes of bodies that entries leave open: as they were derived from the blank."""
         for section in ("Pinion", "Gear"):
             for name, one in self.geometry.get(section.lower(), {}).items():
                 path = f"Gear pair/{section}/Body/{name}"
-                if isinstance(one, dict) and one["value"] is not None and self.parameters.get(path, "").split()[:1] in (
-                        ["0"], ["0.0"]):
+                if isinstance(one, dict) and one["value"] is not None and is_open(self.parameters.get(path)):
                     self.parameters[path] = f"{one['value']:g} {one['unit']}"
 
     def is_equilibrium(self):

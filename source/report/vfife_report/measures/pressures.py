@@ -3,14 +3,18 @@
 nodes, points and areas depend on the mesh (doc/theory/contact.md, Pressures): they stay in the tables of the run."""
 import numpy as np
 
+from ..data.naming import is_open
+
 ALLOWED = "Operation/contact stress limit"
 
 
 def find_allowed_pressure(run):
     """[MPa], None where none is known."""
-    words = run.parameters.get(ALLOWED, "0").split()
-    factor = {"MPa": 1.0, "GPa": 1e3, "Pa": 1e-6, "kPa": 1e-3, "N/mm^2": 1.0}.get(words[1] if len(words) > 1 else "MPa")
-    return float(words[0]) * factor if factor and float(words[0]) > 0 else None
+    if is_open(run.parameters.get(ALLOWED, "none")):
+        return None
+    number, unit = (run.parameters[ALLOWED] + " MPa").split()[:2]
+    factor = {"MPa": 1.0, "GPa": 1e3, "Pa": 1e-6, "kPa": 1e-3, "N/mm^2": 1.0}.get(unit)
+    return float(number) * factor if factor else None
 
 
 def find_largest_pressure(run):

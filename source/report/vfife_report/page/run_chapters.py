@@ -4,6 +4,7 @@ import numpy as np
 
 from ..data.columns import JUDGED
 from ..data.labels import COMPUTATION, ENERGIES, PARTS_OF_ERROR, label
+from ..data.naming import is_open
 from ..data.needs import has_pair, has_probes, has_rim_over_meshes
 from ..measures.checks import list_checks
 from ..measures.passages import DURATION_LEVEL_IN_WORDS, find_passages
@@ -16,7 +17,7 @@ from ..measures.waves import list_wave_lines
 from .chapter import Chapter
 from .parts import EXACT, Cells, Paragraph, list_values
 from .result_chapters import TRUST
-from .words import FINDINGS, RECORD_ONLY, is_zero, list_case_rows, list_geometry_rows, list_model_rows
+from .words import FINDINGS, RECORD_ONLY, list_case_rows, list_geometry_rows, list_model_rows
 
 SOLVED = 1e-5  # of the largest: what equations of an equilibrium are solved to
 
@@ -30,8 +31,7 @@ def tell_case(run, plots):
                 "The last column lists the parameters that differ from their defaults (doc/parameter_reference.md).")
     # A comparison's case is that of each of its cases.
     if run.parameters and run.parameters.get("Study/kind") != "compare":
-        yield Paragraph("The file parameters.prm in the results folder lists all parameters. A size of 0 is derived from other "
-                        "parameters.", "soft")
+        yield Paragraph("The file parameters.prm in the results folder lists all parameters.", "soft")
 
 
 def tell_quantities(run, plots):
@@ -122,7 +122,7 @@ def tell_probes(run, plots):
 def has_sharp_foot(run):
     """Whether a probe is at node A of a web without a fillet at the hub."""
     return (run.probes is not None and any(name.startswith("node A") for name in run.probes["probe"])
-            and is_zero(run.parameters.get("Gear pair/Gear/Body/hub fillet radius", "0")))
+            and is_open(run.parameters.get("Gear pair/Gear/Body/hub fillet radius", "0")))
 
 
 def suppress_rounding(table, name):

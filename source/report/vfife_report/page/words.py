@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from ..data.labels import GEOMETRY_NAMES, VALUES, label
-from ..data.naming import GEAR, PINION, describe_pair, describe_web, list_unused, name_driven, normalize
+from ..data.naming import GEAR, PINION, describe_pair, describe_web, is_open, list_unused, name_driven
 from ..data.parameters import read_given
 from ..data.unused import sweeps_speeds
 
@@ -33,15 +33,10 @@ ERRORS = ("Gear pair/Mounting/", "Gear pair/Errors/")
 DESIGNED = ("Gear pair/Mounting/shaft angle", "Gear pair/Mounting/backlash")  # of the table of the geometry
 
 
-def is_zero(value):
-    """Of a number with or without unit."""
-    return normalize(value)[:1] == (0.0,)
-
-
 def describe_damping(parameters):
     """The rate in force: a ratio at a frequency stands in for it where both are given."""
     ratio, frequency = (parameters.get(f"Dynamics/damping {what}", "0") for what in ("ratio", "frequency"))
-    if is_zero(ratio) or is_zero(frequency):
+    if is_open(ratio) or is_open(frequency):
         return parameters["Dynamics/mass proportional damping"]
     return f"{ratio} at {frequency}"
 
@@ -49,7 +44,7 @@ def describe_damping(parameters):
 def describe_torque(parameters):
     """As it is given: on the driven member or on the pinion."""
     on_pinion = parameters.get("Operation/pinion torque", "0")
-    return f"{parameters['Operation/torque']} on the {name_driven(parameters)}" if is_zero(on_pinion) else f"{on_pinion} on the pinion"
+    return f"{parameters['Operation/torque']} on the {name_driven(parameters)}" if is_open(on_pinion) else f"{on_pinion} on the pinion"
 
 
 def describe_speeds(parameters):
@@ -85,7 +80,7 @@ def list_case_rows(run):
     for name, *keys in (BLANK_ROWS if given else ()) + ROWS:
         values = [describe_damping(parameters) if key == "Dynamics/mass proportional damping" else label(VALUES, parameters[key])
                   for key in keys if key in parameters]
-        if values and (keys == ZERO_IS_SAID or not all(is_zero(value) for value in values)) and not unused.issuperset(keys):
+        if values and (keys == ZERO_IS_SAID or not all(is_open(value) for value in values)) and not unused.issuperset(keys):
             yield name.format(driven=name_driven(parameters)), ", ".join(values)
     yield from list_sweep_rows(parameters)
     yield from list_error_rows(run)
@@ -117,7 +112,7 @@ def list_sweep_rows(parameters):
     between = describe_speeds(parameters)
     yield "speeds of the pinion", f"{parameters['Reduced/speeds']} from {between[0]} to {between[1]}, {parameters['Reduced/sweep']}"
     decay = parameters.get("Reduced/settling decay times", "0")
-    least = "" if is_zero(decay) else f" (at least {decay} decay times)"
+    least = "" if is_open(decay) else f" (at least {decay} decay times)"
     yield "mesh cycles per speed", f"{parameters['Reduced/settling mesh cycles']}{least} to settle, {parameters['Reduced/recorded mesh cycles']} recorded"
 
 
