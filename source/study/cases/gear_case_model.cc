@@ -125,7 +125,7 @@ namespace vfife
     const GearMember &teeth = body == 0 ? pair.pinion() : pair.gear();
     return {body == 0 ? "pinion" : "gear",
             make_gear_body(teeth, members_[body].with_levels(teeth.blank())),
-            material(members_[body].material)};
+            material_of(body)};
   }
 
   void GearCase::add_housing(Model &model) const
