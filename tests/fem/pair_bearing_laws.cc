@@ -242,11 +242,9 @@ namespace
     SeatState state;
     state.load << 3, 4, 5, 6000, 7000;
     state.displacement << .03, .04, .05, 60 * arcsecond, 120 * arcsecond;
-    Table                    table = make_loaded_bearing_table();
-    const std::string        name  = "front";
-    std::vector<Table::Cell> row   = list_bearing_columns().cells_of({name, state});
-    row.insert(row.begin(), .5);
-    table.add_row(row);
+    Table             table = make_loaded_bearing_table();
+    const std::string name  = "front";
+    table.add_row(list_bearing_columns().make_row(.5, {name, state}));
     const auto value = [&table](const char *column) { return table.numbers(column)[0]; };
     check("bearings.csv: each number in its column",
           value("position") == .5 && table.column("bearing").texts.front() == "front" &&
