@@ -82,11 +82,11 @@ namespace
     for (const char *name : {"pinion", "gear"})
       model.add_body(Body(name, make_ring(20, 30, 5, {{2, 24, 2}}), Material()));
     Transmission pair;
-    pair.driver        = driver;
-    pair.driven        = 1 - driver;
-    pair.driven_teeth  = 79;
-    pair.driven_rim    = {0, 1, 2, 3};
-    model.transmission = pair;
+    pair.driver         = driver;
+    pair.driven         = 1 - driver;
+    pair.driven_teeth   = 79;
+    pair.driven_rim     = {0, 1, 2, 3};
+    model.transmissions = {pair};
     return model;
   }
 

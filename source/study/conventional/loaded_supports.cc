@@ -28,7 +28,7 @@ namespace vfife
     if (!PairMounting::changes(model_))
       return;
     // Nodes of a body where it has turned, displaced in its own axes.
-    const Transmission &t          = *model_.transmission;
+    const Transmission &t          = *model_.only_transmission();
     const auto          motions_of = [&](const double driven_turn, const std::vector<double> &u) {
       return [&, driven_turn](const unsigned int b, const BodyRing &ring) {
         const double       turn  = b == t.driven
