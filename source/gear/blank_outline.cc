@@ -11,6 +11,11 @@ namespace vfife
            (cone_distance - mean_cone_distance) * std::tan(face_angle - pitch_angle);
   }
 
+  double BlankOutline::flank_tip(const double cone_distance) const
+  {
+    return addendum(cone_distance);
+  }
+
   double BlankOutline::dedendum(const double cone_distance) const
   {
     return mean_dedendum +

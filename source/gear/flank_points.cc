@@ -27,7 +27,7 @@ namespace vfife
           const double  low   = blank.coordinates_of(start)[1];
           for (unsigned j = 0; j < profile; ++j)
             {
-              const double       h = low + (blank.addendum(L) - low) * j / (profile - 1);
+              const double       h = low + (blank.flank_tip(L) - low) * j / (profile - 1);
               const SurfacePoint p = gear.flank_point(side, L, h);
               table.add_row({side == FlankSide::concave ? "concave" : "convex",
                              L,

@@ -6,11 +6,12 @@ namespace vfife
 {
   double load_torque(const Model &model)
   {
-    double sum = 0;
+    const Transmission *const t   = model.only_transmission();
+    double                    sum = 0;
     for (const Torque &torque : model.torques)
-      if (model.transmission && torque.body == model.transmission->driven)
+      if (t && torque.body == t->driven)
         // Torques act + about the body's axis; what resists has the sign against its rotation.
-        sum -= model.transmission->driven_sense * torque.value;
+        sum -= t->driven_sense * torque.value;
     return sum;
   }
 } // namespace vfife

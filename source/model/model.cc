@@ -1,4 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/text/nearest_name.h>
 #include <vfife/contact/surface/facet_integrals.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/model.h>
@@ -27,6 +29,21 @@ namespace vfife
     return std::any_of(bodies.begin(), bodies.end(), [](const Body &body) {
       return body.rate != 0;
     });
+  }
+
+  const Transmission *Model::only_transmission() const
+  {
+    if (transmissions.size() > 1)
+      {
+        std::vector<std::string> pairs;
+        for (const Transmission &t : transmissions)
+          pairs.push_back(bodies[t.driver].name() + " with " + bodies[t.driven].name());
+        throw InputError("expected at most one gear pair, got " + std::to_string(pairs.size()) +
+                         " (" + list_of(pairs) +
+                         "). Transmission errors, equilibria, root stresses and reduced models "
+                         "are those of a single pair");
+      }
+    return transmissions.empty() ? nullptr : &transmissions.front();
   }
 
   unsigned int Model::n_elements() const

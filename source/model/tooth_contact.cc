@@ -8,9 +8,10 @@ namespace vfife
   {
     // The master of a gear pair is the driven member; its torque counts positive in the drive
     // direction.
-    const Axis  &axis  = model.bodies[pair.master_body].axis;
-    const double sense = model.transmission ? model.transmission->driven_sense : 1.;
-    ToothContact tooth;
+    const Axis               &axis  = model.bodies[pair.master_body].axis;
+    const Transmission *const t     = model.only_transmission();
+    const double              sense = t ? t->driven_sense : 1.;
+    ToothContact              tooth;
     tooth.side         = pair.side;
     tooth.slave_group  = result.slave_group;
     tooth.master_group = result.master_group;

@@ -76,10 +76,8 @@ namespace vfife
                                   ring::of_coupling(coupling.name),
                                   coupling.nodes,
                                   compute_area_shares(body, coupling.nodes, coupling.faces)));
-    if (model.transmission)
-      if (const auto &bore = b == model.transmission->driven ? model.transmission->driven_bore
-                                                             : model.transmission->driver_bore;
-          !bore.empty())
+    if (const Transmission *const t = model.only_transmission())
+      if (const auto &bore = b == t->driven ? t->driven_bore : t->driver_bore; !bore.empty())
         rings.push_back(make_ring(body, ring::bore, bore, masses_of(body, bore)));
     const std::vector<unsigned int> nodes = all_nodes(body);
     rings.push_back(make_ring(body, ring::whole, nodes, masses_of(body, nodes)));

@@ -151,7 +151,7 @@ namespace vfife
                                            const FemOptions  &fem,
                                            const unsigned int largest_diameters)
   {
-    const Transmission        &t    = *model.transmission;
+    const Transmission        &t    = *model.only_transmission();
     const Body                &body = model.bodies[b];
     std::vector<SectorReading> readings;
     const auto                &bore = b == t.driven ? t.driven_bore : t.driver_bore;

@@ -22,8 +22,8 @@ namespace vfife
     const Model &require_pair(const Model &model, const std::vector<ReducedBody> &bodies)
     {
       require_reducible(model);
-      if (!bodies[model.transmission->driven].turns)
-        throw InputError("body \"" + model.bodies[model.transmission->driven].name() +
+      if (!bodies[model.only_transmission()->driven].turns)
+        throw InputError("body \"" + model.bodies[model.only_transmission()->driven].name() +
                          "\" is driven, but a constraint holds its rotation about its axis");
       return model;
     }
@@ -31,7 +31,7 @@ namespace vfife
 
   void require_reducible(const Model &model)
   {
-    if (!model.transmission || model.contacts.empty())
+    if (model.transmissions.empty() || model.contacts.empty())
       throw InputError("expected a gear pair with contact");
     for (const ContactPair &pair : model.contacts)
       if (pair.options.damping_ratio > 0 || pair.options.friction.acts())
@@ -47,7 +47,7 @@ namespace vfife
     , options_(options)
     , pair_(model)
     , springs_(make_bearing_springs(model, bodies))
-    , load_(torque_on(model, model.transmission->driven, 0.))
+    , load_(torque_on(model, model.only_transmission()->driven, 0.))
   {
     std::vector<const TouchRows *> rows;
     for (unsigned int b = 0; b < bodies.size(); ++b)
@@ -56,7 +56,7 @@ namespace vfife
         rows.push_back(&members_.back()->rows);
       }
     answers_     = std::make_unique<Answers>(*this, rows);
-    driver_rate_ = model.transmission->driver_rate;
+    driver_rate_ = model.only_transmission()->driver_rate;
   }
 
   ReducedPair::~ReducedPair() = default;
@@ -68,8 +68,8 @@ namespace vfife
 
   double ReducedPair::speed_factor() const
   {
-    return driver_rate_ / model_.transmission->driver_rate *
-           model_.transmission->rate_history.value(time_);
+    return driver_rate_ / model_.only_transmission()->driver_rate *
+           model_.only_transmission()->rate_history.value(time_);
   }
 
   void ReducedPair::set_speed(const double driver_rate, const double step)
@@ -100,14 +100,14 @@ namespace vfife
 
   double ReducedPair::driver_turn(const double n_steps) const
   {
-    const Transmission &t    = *model_.transmission;
+    const Transmission &t    = *model_.only_transmission();
     const double        time = n_steps * options_.step;
     return t.has_constant_rate() ? driver_turn_ + driver_rate_ * time : t.driver_turn(time_ + time);
   }
 
   double ReducedPair::driven_turn() const
   {
-    return model_.transmission->ratio() * driver_turn_;
+    return model_.only_transmission()->ratio() * driver_turn_;
   }
 
   VectorXd ReducedPair::rows_of(const Member &member, const VectorXd &x) const
@@ -137,7 +137,7 @@ namespace vfife
     std::vector<ModalForces> forces;
     for (const auto &member : members_)
       forces.push_back({member->rows.project(rows_of(*member, state.force)), 0.});
-    forces[model_.transmission->driven].moment = state.acting.torque;
+    forces[model_.only_transmission()->driven].moment = state.acting.torque;
     return forces;
   }
 
@@ -153,18 +153,18 @@ namespace vfife
         Member      &member = *members_[b];
         const double before = member.rate, torque = member.axial.torque;
         member.axial.torque = torque_on(model_, b, time_);
-        if (!model_.transmission->has_constant_rate())
+        if (!model_.only_transmission()->has_constant_rate())
           {
             member.set_rate(speed_factor() * model_.bodies[b].rate);
             member.axial.acceleration = (member.rate - before) / options_.step;
             member.follow_rate(options_.step);
           }
-        if (b == model_.transmission->driver)
+        if (b == model_.only_transmission()->driver)
           energy_.drive_work += .5 * member.inertia * (member.rate * member.rate - before * before);
         mean.push_back({.5 * (torque + member.axial.torque), member.axial.acceleration});
       }
-    load_     = members_[model_.transmission->driven]->axial.torque;
-    now_.unit = std::max(now_.unit, std::abs(load_) / model_.transmission->arm);
+    load_     = members_[model_.only_transmission()->driven]->axial.torque;
+    now_.unit = std::max(now_.unit, std::abs(load_) / model_.only_transmission()->arm);
     return mean;
   }
 
@@ -205,7 +205,7 @@ namespace vfife
 
   void ReducedPair::check_turn(const double turned) const
   {
-    const Transmission &t = *model_.transmission;
+    const Transmission &t = *model_.only_transmission();
     if (std::abs(turned) * t.driven_teeth < largest_turn * 2. * pi)
       return;
     std::ostringstream text;
@@ -236,7 +236,7 @@ namespace vfife
 
   void ReducedPair::step()
   {
-    const Transmission &t      = *model_.transmission;
+    const Transmission &t      = *model_.only_transmission();
     const auto          before = bearings_;
     springs_.set_dampers(before, options_.step);
     const double             way    = torque_way();

@@ -44,7 +44,7 @@ namespace vfife
                 placed.rotation.transpose();
           }
       }
-    return {model, centres, linear, model.transmission->arm};
+    return {model, centres, linear, model.only_transmission()->arm};
   }
 
   VectorXd ReducedPair::Answers::answer(const VectorXd &force)
@@ -110,7 +110,7 @@ namespace vfife
     if (springs_.size() == 0)
       return now;
     now.touching = false;
-    now.unit     = std::abs(load_) / model_.transmission->arm;
+    now.unit     = std::abs(load_) / model_.only_transmission()->arm;
     now.acting   = pair_.evaluate(answers, base, 0., false);
     pair_.balance(answers, base, TurnLoad{}, options_.tolerance, now);
     return now;
@@ -177,14 +177,14 @@ namespace vfife
 
   double ReducedPair::measure_drive_torque() const
   {
-    const Member &driver = *members_[model_.transmission->driver];
+    const Member &driver = *members_[model_.only_transmission()->driver];
     double        torque = driver.inertia * driver.axial.acceleration - now_.acting.driver_torque;
     if (!driver.in_bearings())
       return torque;
     // What turns the shaft's end.
     torque = 0;
     for (const Coupling &coupling : model_.couplings)
-      if (coupling.body == model_.transmission->driver)
+      if (coupling.body == model_.only_transmission()->driver)
         {
           const auto [way, rate] = driver.twist(coupling, rows_of(driver, now_.force));
           torque -= coupling.stiffness * way + coupling.damping * rate;
@@ -194,7 +194,7 @@ namespace vfife
 
   void ReducedPair::add_damping(const BearingSprings::Response &before)
   {
-    const unsigned int driver = model_.transmission->driver;
+    const unsigned int driver = model_.only_transmission()->driver;
     for (std::size_t i = 0; i < damped_.states.size(); ++i)
       {
         const Vector5 force = .5 * (damped_.states[i].load - bearings_.states[i].load);

@@ -16,7 +16,7 @@ namespace vfife
 
   double ReducedPair::torque_way() const
   {
-    const Transmission &t      = *model_.transmission;
+    const Transmission &t      = *model_.only_transmission();
     const Member       &driven = *members_[t.driven];
     // The turn with its kinematic part, and what the modes and the residual flexibility make of the
     // bore, as the torque sees it.
@@ -30,7 +30,7 @@ namespace vfife
 
   EnergyLedger ReducedPair::find_powers() const
   {
-    const Transmission &t = *model_.transmission;
+    const Transmission &t = *model_.only_transmission();
     EnergyLedger        powers;
     powers.drive_work = -now_.acting.driver_torque * members_[t.driver]->rate;
     if (springs_.size() > 0)
@@ -110,7 +110,7 @@ namespace vfife
   {
     // As measure_transmission() of explicit runs: starts and leads of the driven body's bore or rim
     // and of the driver's bore.
-    const Transmission &t           = *model_.transmission;
+    const Transmission &t           = *model_.only_transmission();
     const Member       &driven      = *members_[t.driven];
     const double        turned      = driven_turn();
     const double        bore        = t.driven_sense * read_turn(driven, reading::bore_turn);
@@ -232,7 +232,7 @@ namespace vfife
   {
     // A wave is the sum over sectors k of exp(i n k alpha) (a_k + i b_k), a and b its readings
     // [mm]: of all nodes of the rim, share u exp(i n alpha).
-    Member                      &member      = *members_[model_.transmission->driven];
+    Member                      &member      = *members_[model_.only_transmission()->driven];
     const ReducedBody           &body        = member.body;
     const std::vector<VectorXcd> coordinates = member.coordinates();
     const VectorXd               force       = rows_of(member, now_.force);

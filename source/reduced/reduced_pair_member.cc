@@ -105,7 +105,7 @@ namespace vfife
     , motion(body, rate, make_damping(model, b, body, options), options.step)
     , rows(body,
            gains_of(motion, body.harmonics.size()),
-           {model.bodies[b].placement.rotation, model.transmission->arm})
+           {model.bodies[b].placement.rotation, model.only_transmission()->arm})
     , axis_(axis_in_frame(model.bodies[b]))
   {
     set_rate(rate);

@@ -74,8 +74,8 @@ namespace vfife
 
   void ReducedPair::search()
   {
-    const double meshes = std::abs(members_[model_.transmission->driver]->rate) *
-                          model_.transmission->driver_teeth / (2. * pi);
+    const double meshes = std::abs(members_[model_.only_transmission()->driver]->rate) *
+                          model_.only_transmission()->driver_teeth / (2. * pi);
     search_steps_ = std::max(1., std::floor(search_part / (meshes * options_.step)));
     since_search_ = 0;
 
@@ -89,8 +89,9 @@ namespace vfife
     std::vector<NodeOfBody> nodes = pair_.candidates();
     if (now_.force.size() > 0 && widening_ < largest_widening)
       {
-        const double reach = std::max(least_reach, std::abs(now_.turn) * model_.transmission->arm);
-        held_              = displace_nodes(nodes);
+        const double reach =
+          std::max(least_reach, std::abs(now_.turn) * model_.only_transmission()->arm);
+        held_ = displace_nodes(nodes);
         check_reach(nodes, held_);
         pair_.hold(held_);
         nodes = pair_.find_near(now_.turn, later, std::ldexp(reach, widening_));

@@ -33,7 +33,7 @@ namespace vfife
         member.set_rate(speed_factor() * model_.bodies[b].rate);
         member.follow_rate(options_.step);
       }
-    Member &driven = *members_[model_.transmission->driven];
+    Member &driven = *members_[model_.only_transmission()->driven];
     load_          = part * driven.axial.torque;
     // What the flanks have beyond the load accelerates the body.
     driven.axial.acceleration = (1. - part) * driven.axial.torque / driven.inertia;
@@ -50,7 +50,7 @@ namespace vfife
         const Member &member = *members_[b];
         rows.emplace_back(member.body,
                           member.standing_gains(),
-                          RingAxes{member.rows.placement(), model_.transmission->arm});
+                          RingAxes{member.rows.placement(), model_.only_transmission()->arm});
         rows.back().set_nodes(nodes_of(nodes_, b));
       }
     for (const TouchRows &one : rows)
@@ -60,7 +60,7 @@ namespace vfife
     springs_.set_dampers({}, 0.);
     const VectorXd base      = displace(standing_coordinates());
     now_                     = pair_.press_rigid(answers, base, load_, settle(answers, base));
-    now_.unit                = std::abs(load_) / model_.transmission->arm;
+    now_.unit                = std::abs(load_) / model_.only_transmission()->arm;
     now_.patience            = start_patience;
     const unsigned int n     = pair_.balance(answers, base, TurnLoad{load_}, start_tolerance, now_);
     ReducedEquilibrium found = find_slope(answers, base + now_.deflection);
@@ -188,7 +188,7 @@ namespace vfife
     const auto [force, turn] = pair_.find_slope(answers, u, TurnLoad{load_}, twist, 1.);
 
     ReducedEquilibrium  slope;
-    const Transmission &t     = *model_.transmission;
+    const Transmission &t     = *model_.only_transmission();
     double              twice = 0;
     for (std::size_t b = 0; b < members_.size(); ++b)
       {

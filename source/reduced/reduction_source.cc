@@ -83,11 +83,9 @@ namespace vfife
       for (Coupling coupling : model.couplings)
         if (coupling.body == body)
           stream.pass(coupling.name, coupling.nodes, coupling.stiffness);
-      if (model.transmission && body == model.transmission->driver)
-        {
-          std::vector<unsigned int> bore = model.transmission->driver_bore;
-          stream.pass(bore);
-        }
+      for (Transmission t : model.transmissions)
+        if (body == t.driver)
+          stream.pass(t.driver_bore);
     }
 
     void pass_torque(const Model &model, const unsigned int body, ByteStream &stream)

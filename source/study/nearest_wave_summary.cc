@@ -31,7 +31,7 @@ namespace vfife
       require_reducible(model);
       const FemOptions     fem = make_fem_options(dynamics.stiffness);
       const ReducedOptions options;
-      const Transmission  &t         = *model.transmission;
+      const Transmission  &t         = *model.only_transmission();
       const double         frequency = t.driver_rate * t.driver_teeth / (2. * pi);
       // As a free ring at the mean contact: the waves are those of the whole gear.
       const double ring = model.bodies[t.driven].sound_speed() / t.arm;
@@ -95,8 +95,8 @@ namespace vfife
                                   Log                   &log,
                                   RunSummary            &summary)
   {
-    if (!model.transmission || !model.transmission->has_constant_rate() ||
-        model.transmission->driver_rate == 0)
+    if (model.transmissions.empty() || !model.only_transmission()->has_constant_rate() ||
+        model.only_transmission()->driver_rate == 0)
       return;
     report_nearest_wave([&] { return find_wave_of_run(model, dynamics, communicator); },
                         log,

@@ -47,7 +47,7 @@ namespace
                                  t.driver,
                                  model.bodies[t.driver].node_set("inner")});
     model.constraints.push_back({"hub", ConstraintKind::rigid_hub, t.driven, t.driven_bore});
-    model.transmission = t;
+    model.transmissions = {t};
     return model;
   }
 
@@ -87,7 +87,7 @@ namespace
     check_below(name + ": measured angle [rad]", of_angle, 1e-15);
     check_below(name + ": factor of the speed", of_factor, 1e-15);
     check_close(name + ": mesh cycles",
-                model.transmission->meshes(end_time),
+                model.only_transmission()->meshes(end_time),
                 30 * turn(end_time) / (2 * pi),
                 1e-14);
   }

@@ -1,8 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // A driver and a driven body that do not touch, over one mesh cycle: angles and transmission errors
 // against the places of the nodes and the turn that is prescribed, and a driven body that begins
-// too fast and is slowed down by the driven speed damping alone.
+// too fast and is slowed down by the driven speed damping alone; two pairs, which are refused.
 #include "../parts.h"
+#include "../refusal.h"
 #include "../tests.h"
 #include "one_solver.h"
 
@@ -52,7 +53,7 @@ namespace
                                  t.driver,
                                  model.bodies[t.driver].node_set("inner")});
     model.constraints.push_back({"hub", hub, t.driven, t.driven_bore});
-    model.transmission = t;
+    model.transmissions = {t};
     return model;
   }
 
@@ -82,7 +83,7 @@ namespace
       (sense > 0 ? ", forward: " : ", reverse: ");
     const double        excess = 9;
     const Model         model  = make_pair(sense, hub, excess);
-    const Transmission &t      = *model.transmission;
+    const Transmission &t      = *model.only_transmission();
     const Body         &driver = model.bodies[t.driver], &driven = model.bodies[t.driven];
     DynamicsOptions     options = undamped();
     options.mesh_damping        = zeta;
@@ -230,9 +231,16 @@ namespace
                 1.,
                 2e-2);
   }
+
+  void two_pairs()
+  {
+    Model model = make_pair(1., ConstraintKind::rigid_hub, 0.);
+    model.transmissions.push_back(model.transmissions.front());
+    print_refusal([&] { OneSolver(model, undamped()); });
+  }
 } // namespace
 
 int main(int argc, char **argv)
 {
-  return run_parts(argc, argv, {both_hubs, drive_work, momenta});
+  return run_parts(argc, argv, {both_hubs, drive_work, momenta, two_pairs});
 }

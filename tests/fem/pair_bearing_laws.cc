@@ -71,7 +71,7 @@ namespace
         for (std::size_t b = 0; b < 4; ++b)
           {
             // A cage that rolls has gone with the kinematic turn of its body.
-            const Transmission &t  = *model.transmission;
+            const Transmission &t  = *model.only_transmission();
             const double  turn     = b < 2 ? t.driver_sense * .1 : t.driven_sense * t.ratio() * .1;
             const Vector5 q        = result.bearings[b].displacement;
             const auto    response = laws[b]->evaluate(q, turn);
@@ -220,16 +220,16 @@ namespace
     {
       Model model = make_held_pair(world);
       hang_in_bearings(model, {law, law, law, law}, 5e8);
-      model.couplings.front().body  = model.transmission->driven;
-      model.couplings.front().nodes = model.transmission->driven_bore;
+      model.couplings.front().body  = model.only_transmission()->driven;
+      model.couplings.front().nodes = model.only_transmission()->driven_bore;
       print_refusal([&]() { Compliance(model, lumped_masses(), false, world); });
     }
     {
       Model model = make_held_pair(world);
       hang_in_bearings(model, {law, law, law, law}, 5e8);
       Coupling second = model.couplings.front();
-      second.body     = model.transmission->driven;
-      second.nodes    = model.transmission->driven_bore;
+      second.body     = model.only_transmission()->driven;
+      second.nodes    = model.only_transmission()->driven_bore;
       model.couplings.push_back(second);
       Compliance compliance(model, lumped_masses(), false, world);
       print_refusal([&]() { PairEquilibrium(model, compliance, {0.}); });
@@ -242,11 +242,9 @@ namespace
     SeatState state;
     state.load << 3, 4, 5, 6000, 7000;
     state.displacement << .03, .04, .05, 60 * arcsecond, 120 * arcsecond;
-    Table                    table = make_loaded_bearing_table();
-    const std::string        name  = "front";
-    std::vector<Table::Cell> row   = list_bearing_columns().cells_of({name, state});
-    row.insert(row.begin(), .5);
-    table.add_row(row);
+    Table             table = make_loaded_bearing_table();
+    const std::string name  = "front";
+    table.add_row(list_bearing_columns().make_row(.5, {name, state}));
     const auto value = [&table](const char *column) { return table.numbers(column)[0]; };
     check("bearings.csv: each number in its column",
           value("position") == .5 && table.column("bearing").texts.front() == "front" &&

@@ -72,7 +72,7 @@ inline void hang_in_bearings(vfife::Model                                       
                              const double                                                 coupling)
 {
   using namespace vfife;
-  Transmission             &t     = *model.transmission;
+  Transmission             &t     = model.transmissions.front();
   std::vector<unsigned int> inner = model.constraints.front().nodes;
   model.constraints.clear();
   t.driver_bore = inner;
@@ -126,7 +126,7 @@ inline double unbalanced(const vfife::Model &model, const vfife::PairEquilibrium
   double largest = 0;
   for (unsigned int body = 0; body < 2; ++body)
     {
-      Vector3 sum = body == model.transmission->driver ? contact : Vector3(-contact);
+      Vector3 sum = body == model.only_transmission()->driver ? contact : Vector3(-contact);
       for (std::size_t b = 0; b < model.bearings.size(); ++b)
         if (model.bearings[b].body == body)
           sum += model.bearings[b].axes * result.bearings[b].load.head<3>();

@@ -50,7 +50,7 @@ namespace
               const std::vector<ContactTie> &ties)
       : model_(model)
     {
-      const Transmission &t    = *model.transmission;
+      const Transmission &t    = *model.only_transmission();
       Eigen::MatrixXd     ways = Eigen::MatrixXd::Zero(stiffness.rows(), 12);
       for (std::size_t b = 0; b < model.bearings.size(); ++b)
         {
@@ -92,7 +92,7 @@ namespace
     Vector12 solve() const
     {
       Vector12           force  = Vector12::Zero();
-      const unsigned int driven = model_.transmission->driven;
+      const unsigned int driven = model_.only_transmission()->driven;
       force.segment<3>(at(driven) + 3) =
         model_.torques.front().value * model_.bodies[driven].axis.direction;
       return stiffness_.fullPivLu().solve(force);
@@ -106,7 +106,7 @@ namespace
 
     double transmission_error(const Vector12 &x) const
     {
-      const Transmission &t = *model_.transmission;
+      const Transmission &t = *model_.only_transmission();
       return t.driven_sense * turn(t.driven, x) - t.ratio() * t.driver_sense * turn(t.driver, x);
     }
 
@@ -154,7 +154,7 @@ namespace
                            const PairEquilibriumResult &result,
                            const double                 factor)
   {
-    const Transmission &t = *model.transmission;
+    const Transmission &t = *model.only_transmission();
     Vector3    sum = factor * model.torques.front().value * model.bodies[t.driven].axis.direction;
     const auto centres = ring_centres(compliance);
     for (std::size_t b = 0; b < model.bearings.size(); ++b)
@@ -215,8 +215,8 @@ namespace
     check_below("six lowest coupled modes", apart, 1e-2);
     check("modes are counted", modes.counted);
     check_close("tangent stiffness of the modes",
-                modes.stiffness * std::abs(hand.turn(model.transmission->driven, hand.solve())) /
-                  load,
+                modes.stiffness *
+                  std::abs(hand.turn(model.only_transmission()->driven, hand.solve())) / load,
                 1.,
                 1e-2);
   }
@@ -407,7 +407,7 @@ namespace
               std::abs(errors.slope / mean.transmission_error(mean.solve()) - 1) > 3e-2);
         check_below("unlike axes: forces of each body", unbalanced(model, result), 1e-6);
         // About the axis of the driven body: a bearing that is displaced and pushes askew turns it.
-        const Transmission &t     = *model.transmission;
+        const Transmission &t     = *model.only_transmission();
         double              moved = 0;
         for (std::size_t b = 0; b < model.bearings.size(); ++b)
           if (model.bearings[b].body == t.driven)

@@ -197,9 +197,12 @@ end
       }
     check("one material under the upper face", made.material_under(lid, "lid").name == "brass");
     print_refusal([&] { made.material_under(end, "surface \"end\""); });
-    refuse(body(strip + "set region materials = UPER: brass\n"));
+    const std::string brass = "subsection Material brass\n set density = 8.5 g/cm^3\nend\n",
+                      iron  = "subsection Material iron\n set density = 7.2 g/cm^3\nend\n";
+    refuse(body(strip + "set region materials = UPER: brass\n", brass));
     refuse(body(strip + "set region materials = UPPER brass\n"));
-    refuse(body(strip + "set region materials = UPPER: brass, UPPER: iron\n"));
+    refuse(body(strip + "set region materials = UPPER: brass, UPPER: iron\n", brass + iron));
+    refuse(body(strip + "set region materials = UPPER: brass, LOWER: iron\n", brass));
     refuse(body("set region materials = UPPER: brass\n"));
     refuse(body("set temperature = 20 K\n"));
     refuse(body("set temperature = 1e5\n"));
@@ -223,6 +226,7 @@ end
                                 "set initial velocity y = 2*w\n"})
       refuse(body(entries));
     refuse(body("set material = brass\n", "subsection Material bras\nend\n"));
+    refuse(body("set material = brass\n"));
     refuse(body("", "subsection Material steel\n set Poisson's ratio = 0.5\nend\n"));
   }
 } // namespace

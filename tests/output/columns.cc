@@ -82,11 +82,11 @@ namespace
     for (const char *name : {"pinion", "gear"})
       model.add_body(Body(name, make_ring(20, 30, 5, {{2, 24, 2}}), Material()));
     Transmission pair;
-    pair.driver        = driver;
-    pair.driven        = 1 - driver;
-    pair.driven_teeth  = 79;
-    pair.driven_rim    = {0, 1, 2, 3};
-    model.transmission = pair;
+    pair.driver         = driver;
+    pair.driven         = 1 - driver;
+    pair.driven_teeth   = 79;
+    pair.driven_rim     = {0, 1, 2, 3};
+    model.transmissions = {pair};
     return model;
   }
 
@@ -117,10 +117,7 @@ namespace
     tables.push_back({"orders.csv", "gear pair", make_order_table()});
     tables.push_back({"rim_orders.csv", "gear pair", make_rim_order_table()});
     const auto over_time = [](const auto &columns) {
-      Table table;
-      table.add_column(column::time, "s");
-      columns.add_to(table);
-      return table;
+      return columns.make_table(column::time, "s");
     };
     tables.push_back({"root_stress.csv", "run", over_time(list_root_stress_columns())});
     tables.push_back({"gauges.csv", "run", over_time(list_gauge_columns())});

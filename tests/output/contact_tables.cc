@@ -39,9 +39,9 @@ namespace
     std::swap(coast.slave_surface, coast.master_surface);
     model.contacts.push_back(coast);
     Transmission pair;
-    pair.driver        = 0;
-    pair.driven        = 1;
-    model.transmission = pair;
+    pair.driver         = 0;
+    pair.driven         = 1;
+    model.transmissions = {pair};
     return model;
   }
 

@@ -129,10 +129,10 @@ namespace
     Model model;
     model.add_body(cube("pinion"));
     model.add_body(cube("gear"));
-    model.transmission.emplace();
-    model.transmission->driver_rate  = 200 * pi; // 6000 rpm
-    model.transmission->driver_teeth = 27;
-    Values expected                  = energies("work of the torques");
+    model.transmissions.emplace_back();
+    model.transmissions.front().driver_rate  = 200 * pi; // 6000 rpm
+    model.transmissions.front().driver_teeth = 27;
+    Values expected                          = energies("work of the torques");
     expected.merge(Values({{"time", {.25e-3, "s"}},
                            {"pinion angle", {45, "deg"}},
                            {"gear angle", {18, "deg"}},

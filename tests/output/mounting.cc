@@ -67,9 +67,9 @@ namespace
         body.turns_on_axis = body.floats = true;
         model.add_body(std::move(body));
       }
-    t.driver_bore      = model.bodies[0].node_set("inner");
-    t.driven_bore      = model.bodies[1].node_set("inner");
-    model.transmission = t;
+    t.driver_bore       = model.bodies[0].node_set("inner");
+    t.driven_bore       = model.bodies[1].node_set("inner");
+    model.transmissions = {t};
     const PairMounting mounting(model);
     const auto         moved = [&](const Body &body, const unsigned int i, const double turn) {
       const RigidMotion to =
@@ -91,7 +91,7 @@ namespace
                    }),
                    with_errors());
     // A driver that turns as prescribed stays where it is.
-    model.transmission->driver_bore.clear();
+    model.transmissions.front().driver_bore.clear();
     const Mounting gear_alone = PairMounting(model).measure(state, Communicator(MPI_COMM_SELF));
     check_close("the gear alone: its shift", gear_alone.gear_shift, -0.07, 1e-12);
     check_close("the gear alone: none of the pinion", gear_alone.pinion_shift, 0., 1e-12);

@@ -28,7 +28,7 @@ namespace
     pair.driven_teeth = 24;
     pair.driven_rim.resize(model.bodies[0].n_nodes());
     std::iota(pair.driven_rim.begin(), pair.driven_rim.end(), 0u);
-    model.transmission = pair;
+    model.transmissions = {pair};
     return model;
   }
 

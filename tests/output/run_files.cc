@@ -42,12 +42,12 @@ namespace
     for (const char *name : {"pinion", "gear"})
       model.add_body(Body(name, make_block({1, 1, 1}, {{1, 1, 1}}), Material()));
     Transmission pair;
-    pair.driver        = 0;
-    pair.driven        = 1;
-    pair.driver_teeth  = 27;
-    pair.driven_teeth  = 79;
-    pair.driver_rate   = 20000 * pi / 30;
-    model.transmission = pair;
+    pair.driver         = 0;
+    pair.driven         = 1;
+    pair.driver_teeth   = 27;
+    pair.driven_teeth   = 79;
+    pair.driver_rate    = 20000 * pi / 30;
+    model.transmissions = {pair};
     ContactPair drive;
     drive.side        = "drive";
     drive.slave_body  = 0;
@@ -205,7 +205,7 @@ namespace
   void check_options()
   {
     OutputOptions      options;
-    const Transmission pair = *make_pair_model().transmission;
+    const Transmission pair = *make_pair_model().only_transmission();
     check_close("mesh frequency", pair.mesh_frequency(), 9000, 1e-9);
     options.history_every = 50;
     options.fields_every  = 2;

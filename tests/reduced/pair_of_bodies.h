@@ -56,7 +56,7 @@ namespace pair_of_bodies
   inline double
   error_of(const Model &model, const Compliance &compliance, const PairEquilibriumResult &at)
   {
-    const Transmission &t = *model.transmission;
+    const Transmission &t = *model.only_transmission();
     return t.driven_start - t.ratio() * t.driver_start +
            lead_of_driven(compliance.space(), at.turn, at.displacements);
   }

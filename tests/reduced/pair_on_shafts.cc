@@ -84,10 +84,10 @@ namespace
              const unsigned int              steps,
              const unsigned int              n_meshes)
   {
-    const double mesh = 1. / model.transmission->mesh_frequency();
+    const double mesh = 1. / model.only_transmission()->mesh_frequency();
     ReducedPair  pair = make_pair(model, bodies, {2. * mesh / steps, 2000., 2000.});
     // As sweeps do it.
-    pair.set_speed(model.transmission->driver_rate, mesh / steps);
+    pair.set_speed(model.only_transmission()->driver_rate, mesh / steps);
     pair.start();
     Means means;
     for (unsigned int i = 1; i <= n_meshes * steps; ++i)

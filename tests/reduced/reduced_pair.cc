@@ -44,7 +44,7 @@ namespace
   void at_rest(Communicator &world)
   {
     const Model  model = make_model("at_rest", 6., world);
-    const double mesh  = 1. / model.transmission->mesh_frequency();
+    const double mesh  = 1. / model.only_transmission()->mesh_frequency();
     Compliance compliance(model, make_fem_options(StiffnessKind::incompatible_modes), false, world);
     const std::vector<double>   turns = {0., .5 * 2. * pi / 27., 2. * pi / 27.};
     PairEquilibrium             whole(model, compliance, turns);
@@ -69,7 +69,7 @@ namespace
         check("teeth", state.measured.teeth.size() == at.teeth.size());
         const double slope = at.turn_slope + mean_rotation(compliance.space(),
                                                            1,
-                                                           model.transmission->driven_bore,
+                                                           model.only_transmission()->driven_bore,
                                                            at.displacement_slope);
         check_close("stiffness", found.stiffness * std::abs(slope) / 8e5, 1., straight);
         check_close("the load is carried", state.measured.contact_torque / 8e5, 1., 1e-6);
@@ -95,7 +95,7 @@ namespace
     check_below("positions of a mesh cycle in turn", worst, 2e-4);
 
     // In equilibria alone, few and far between.
-    pair.set_speed(model.transmission->driver_rate, mesh / 8.);
+    pair.set_speed(model.only_transmission()->driver_rate, mesh / 8.);
     pair.start();
     for (const unsigned int half : {1, 2})
       {
@@ -115,7 +115,7 @@ namespace
   void quadratic(Communicator &world)
   {
     const Model    model = make_model("quadratic", 6., world);
-    const double   mesh  = 1. / model.transmission->mesh_frequency();
+    const double   mesh  = 1. / model.only_transmission()->mesh_frequency();
     ReducedOptions options;
     options.elements     = BodyElements::quadratic;
     const FemOptions fem = options.fem(StiffnessKind::incompatible_modes);
@@ -153,7 +153,7 @@ namespace
                            const unsigned int              steps_per_mesh,
                            double                         &energy_error)
   {
-    const double mesh = 1. / model.transmission->mesh_frequency();
+    const double mesh = 1. / model.only_transmission()->mesh_frequency();
     ReducedPair  pair = make_pair(model, bodies, {mesh / steps_per_mesh, 1000., 2000.});
     pair.start();
     std::vector<double> errors;
@@ -191,8 +191,8 @@ namespace
                   make_model("speeding_up", "12000 + 4000*" + ramp, "800 + 400*" + ramp, world),
                 end = make_model("speeded_up", "16000 rpm", "1200 N m", world);
     const std::vector<ReducedBody> bodies = reduce(end, 40e3, 4, world);
-    const Transmission            &t      = *model.transmission;
-    const double                   step   = 1. / (150. * end.transmission->mesh_frequency());
+    const Transmission            &t      = *model.only_transmission();
+    const double                   step   = 1. / (150. * end.only_transmission()->mesh_frequency());
     ReducedPair                    pair   = make_pair(model, bodies, {step, 1000., 2000.});
     pair.start();
     double              time = 0, impulse = 0, load = 0, drive = 0, worst = 0;
@@ -221,14 +221,15 @@ namespace
       return inertia * (std::abs(to) - std::abs(from));
     };
     check_close("the contact speeds the gear up beside its load",
-                (impulse - load) /
-                  gain(bodies[1].turn_inertia, t.driven_rate(), end.transmission->driven_rate()),
+                (impulse - load) / gain(bodies[1].turn_inertia,
+                                        t.driven_rate(),
+                                        end.only_transmission()->driven_rate()),
                 1.,
                 1e-2);
     check_close("the drive the pinion beside the contact",
                 (drive - t.ratio() * impulse) / gain(model.bodies[0].axial_inertia(),
                                                      t.driver_rate,
-                                                     end.transmission->driver_rate),
+                                                     end.only_transmission()->driver_rate),
                 1.,
                 1e-2);
     // Euler forces on what the modes displace are left out, 1e-5 of the others.
@@ -255,7 +256,7 @@ namespace
   {
     const Model model =
       make_model("parting", "12000 rpm", "if(t < 0.0001, 800, if(t < 0.0006, 0, 400))", world);
-    const double step = 1. / (150. * model.transmission->mesh_frequency());
+    const double step = 1. / (150. * model.only_transmission()->mesh_frequency());
     ReducedPair  pair = make_pair(model, reduce(model, 15e3, 4, world), {step, 1000., 2000.});
     pair.start();
     unsigned int n_apart = 0, n_back = 0;
@@ -281,7 +282,7 @@ namespace
   void too_long_steps(Communicator &world)
   {
     const Model  model = make_model("too_long", 6., world);
-    const double mesh  = 1. / model.transmission->mesh_frequency();
+    const double mesh  = 1. / model.only_transmission()->mesh_frequency();
     ReducedPair  pair  = make_pair(model, reduce(model, 15e3, 4, world), {mesh / 4., 2000., 2000.});
     pair.start();
     print_refusal<NumericalError>([&] {

@@ -116,8 +116,8 @@ inline vfife::Model hang_in_bearings(vfife::Model       model,
   if (coupling > 0)
     model.couplings.push_back({"drive", 0, nodes, coupling, 0.});
   // Its turn may be asked for.
-  model.transmission.emplace();
-  model.transmission->driven = 0;
+  model.transmissions.emplace_back();
+  model.transmissions.front().driven = 0;
   return model;
 }
 

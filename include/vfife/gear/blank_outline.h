@@ -47,6 +47,8 @@ namespace vfife
     }
     /** Height a(L) of the tip over the pitch line [mm]. */
     double addendum(double cone_distance) const;
+    /** Height over the pitch line at which flanks end [mm]: that of the tip. */
+    double flank_tip(double cone_distance) const;
     /** Depth b(L) > 0 of the root under the pitch line [mm]. */
     double dedendum(double cone_distance) const;
 

@@ -100,17 +100,17 @@ namespace vfife
   /** Everything that is computed with, but for the state: read-only while a solver runs. */
   struct Model
   {
-    std::vector<Body>           bodies;
-    std::vector<Constraint>     constraints;
-    std::vector<Torque>         torques;
-    std::vector<Load>           loads;
-    std::vector<RigidWall>      walls;
-    std::vector<Bearing>        bearings;
-    std::vector<Coupling>       couplings;
-    Eigen::MatrixXd             housing; ///< BearingSystem::set_housing(); empty: the ground
-    std::vector<ContactPair>    contacts;
-    std::vector<Probe>          probes;
-    std::optional<Transmission> transmission; ///< where two of the bodies are a gear pair
+    std::vector<Body>         bodies;
+    std::vector<Constraint>   constraints;
+    std::vector<Torque>       torques;
+    std::vector<Load>         loads;
+    std::vector<RigidWall>    walls;
+    std::vector<Bearing>      bearings;
+    std::vector<Coupling>     couplings;
+    Eigen::MatrixXd           housing; ///< BearingSystem::set_housing(); empty: the ground
+    std::vector<ContactPair>  contacts;
+    std::vector<Probe>        probes;
+    std::vector<Transmission> transmissions; ///< gear pairs among the bodies
 
     /** Appends a body and numbers its nodes and elements; returns its index. */
     unsigned int add_body(Body &&body);
@@ -118,6 +118,9 @@ namespace vfife
     unsigned int n_elements() const;
     /** Whether a body has a rate at time zero. */
     bool any_body_turns() const;
+    /** The gear pair; nullptr: there is none. For what a single pair has: throws InputError where
+     * there are several. */
+    const Transmission *only_transmission() const;
   };
 
   /** Whether a face is selected, its @p nodes in any order. */

@@ -173,7 +173,7 @@ namespace vfife
     // and friction.
     const std::vector<RigidVelocity> at_rest(model_.bodies.size());
     // The preload of a gear pair is without friction; else points stick where the load step began.
-    set_friction_mode(model_.transmission ? FrictionMode::none : FrictionMode::held);
+    set_friction_mode(model_.transmissions.empty() ? FrictionMode::held : FrictionMode::none);
     if (search)
       contact_.search(state.body_motion, at_rest, state.position, 0.);
     contact_.add_forces(state.body_motion, state.position, no_velocity_, state.dt, forces);

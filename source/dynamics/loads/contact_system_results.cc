@@ -252,7 +252,7 @@ namespace vfife
             maxima.insert(maxima.end(), {r.largest_pressure, r.largest_penetration});
           }
         // How wide contacts are is asked of general models: Hertz tells of gear pairs.
-        if (!model_.transmission)
+        if (model_.transmissions.empty())
           patches.push_back(add_patches(*pair));
       }
     communicator_.sum(sums);

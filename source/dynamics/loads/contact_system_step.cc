@@ -320,7 +320,7 @@ namespace vfife
 
   void ContactSystem::sum_teeth()
   {
-    if (!model_.transmission)
+    if (model_.transmissions.empty())
       return;
     // As many numbers on all ranks, whether this one has failed or not: candidates are the same.
     tooth_sums_.assign(1, 0.);

@@ -35,11 +35,12 @@ namespace vfife
 
         // slip = zeta_k (omega - omega_kinematic) axis x r on the driven body of a gear pair
         damping_[b].mesh = RigidVelocity();
-        if (model_.transmission && model_.transmission->driven == b)
+        for (const Transmission &t : model_.transmissions)
           {
+            if (t.driven != b)
+              continue;
             // The momentum's rate is that of v-, half a step before the state.
-            const Transmission &t    = *model_.transmission;
-            const double        rate = body.axis.direction.dot(rigid_[b].omega) -
+            const double rate = body.axis.direction.dot(rigid_[b].omega) -
                                 t.driven_sense * t.driven_rate(state.time - 0.5 * dt_);
             damping_[b].mesh.omega    = options_.mesh_damping * rate * body.axis.direction;
             damping_[b].mesh.velocity = -damping_[b].mesh.omega.cross(body.axis.point);
@@ -71,16 +72,19 @@ namespace vfife
         work.before.drive += sums.drive_power_before;
         work.after.drive += sums.drive_power_after;
       }
-    if (!model_.transmission)
+    if (model_.transmissions.empty())
       return;
     // The driven speed damping's torque takes from the swing what its power takes beyond that of
     // the kinematic rotation: sum m slip . (v - omega_kinematic axis x r).
-    const Transmission &t    = *model_.transmission;
-    const Body         &body = model_.bodies[t.driven];
-    const double        torque =
-      body.axis.direction.dot(damping_[t.driven].mesh.omega) *
-      compute_axial_inertia(references_[t.driven].axis(), body.mass(), sums_[t.driven].update);
-    work.before.swing = work.after.swing =
-      work.after.mesh - torque * t.driven_sense * t.driven_rate();
+    work.after.swing = work.after.mesh;
+    for (const Transmission &t : model_.transmissions)
+      {
+        const Body  &body = model_.bodies[t.driven];
+        const double torque =
+          body.axis.direction.dot(damping_[t.driven].mesh.omega) *
+          compute_axial_inertia(references_[t.driven].axis(), body.mass(), sums_[t.driven].update);
+        work.after.swing -= torque * t.driven_sense * t.driven_rate();
+      }
+    work.before.swing = work.after.swing;
   }
 } // namespace vfife

@@ -27,9 +27,9 @@ namespace vfife
   TransmissionMeasurement::TransmissionMeasurement(const Model &model, const Partition &partition)
     : model_(model)
   {
-    if (!model.transmission)
+    if (model.transmissions.empty())
       return;
-    const Transmission &t = *model.transmission;
+    const Transmission &t = *model.only_transmission();
     for (const auto *nodes : {&t.driven_bore, &t.driven_rim})
       add_ring(model.bodies[t.driven], *nodes, partition);
     if (!t.driver_bore.empty())
@@ -92,12 +92,12 @@ namespace vfife
 
   void TransmissionMeasurement::measure(State &state, const Communicator &communicator)
   {
-    if (!model_.transmission)
+    if (model_.transmissions.empty())
       return;
     // DTE = theta_g - (z_p/z_g) theta_p, each theta = start + kinematic turn + lead: the kinematic
     // turns cancel; start and leads of the gear's bore or rim and of the driver's bore remain. A
     // driver that turns as prescribed has no lead.
-    const Transmission &t      = *model_.transmission;
+    const Transmission &t      = *model_.only_transmission();
     const double        turned = t.driven_turn(state.time); // in the drive direction
 
     // Differences from the kinematic turn are measured, so that no digits are lost in large angles.

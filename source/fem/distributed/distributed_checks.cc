@@ -68,7 +68,7 @@ namespace vfife
   {
     if (!options.distributed)
       return;
-    if (model.transmission)
+    if (!model.transmissions.empty())
       refuse_distributed("a gear pair", "Set no.");
     if (bodies.size() != 1)
       refuse_distributed(std::to_string(bodies.size()) + " bodies", "Name one in Fem/bodies.");

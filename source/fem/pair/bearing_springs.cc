@@ -33,7 +33,7 @@ namespace vfife
     : system_(make_bearing_system(model))
     , arm_(arm)
     , n_bodies_(model.bodies.size())
-    , driven_(model.transmission ? model.transmission->driven : n_bodies_)
+    , driven_(model.only_transmission() ? model.only_transmission()->driven : n_bodies_)
     , motions_known_(Eigen::VectorXd::Zero(linear.rows()))
     , forces_known_(motions_known_)
   {

@@ -104,10 +104,10 @@ namespace vfife
       std::vector<double> forces(3 * static_cast<std::size_t>(d.n_points()), 0.);
       double              sum = 0;
       for (const Torque &torque : m.torques)
-        if (torque.body == m.transmission->driven)
+        if (torque.body == m.only_transmission()->driven)
           sum += torque.value;
       for (const Torque &torque : m.torques)
-        if (torque.body == m.transmission->driven)
+        if (torque.body == m.only_transmission()->driven)
           add_torque_forces(torque, d, *d.find_part(torque.body), torque.value / sum, forces);
       return system.restrict_forces(forces);
     }
@@ -117,7 +117,7 @@ namespace vfife
     {
     public:
       explicit ShapeReader(const FemSpace &d)
-        : part_(*d.find_part(d.model().transmission->driven))
+        : part_(*d.find_part(d.model().only_transmission()->driven))
         , space_(d)
         , describer_(d, part_)
       {

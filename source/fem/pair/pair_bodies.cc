@@ -22,7 +22,7 @@ namespace vfife
       const Eigen::Index    n = 6 * centres.size();
       const Eigen::MatrixXd K =
         rings.stiffness([&model](const unsigned int body) { return model.bodies[body].rate; });
-      return {model, centres, K.topLeftCorner(n, n), model.transmission->arm};
+      return {model, centres, K.topLeftCorner(n, n), model.only_transmission()->arm};
     }
   } // namespace
 

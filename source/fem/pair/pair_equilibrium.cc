@@ -30,7 +30,7 @@ namespace vfife
     , compliance_(compliance)
     , pair_(model)
   {
-    const unsigned int driven = model.transmission->driven;
+    const unsigned int driven = model.only_transmission()->driven;
     if (!compliance.turns_freely(driven))
       throw InputError(
         "body \"" + model.bodies[driven].name() +
@@ -70,7 +70,7 @@ namespace vfife
   {
     double sum = 0;
     for (const Torque &torque : model_.torques)
-      if (torque.body == model_.transmission->driven)
+      if (torque.body == model_.only_transmission()->driven)
         sum += load_factor * torque.value;
     return sum;
   }
@@ -106,7 +106,7 @@ namespace vfife
     now.force = now.deflection = Eigen::VectorXd::Zero(base.size());
     now.turn                   = turn;
     now.touching               = false;
-    now.unit                   = std::abs(load(1.)) / model_.transmission->arm;
+    now.unit                   = std::abs(load(1.)) / model_.only_transmission()->arm;
     if (!bodies_->has_bearings())
       return now;
     now.acting = pair_.evaluate(*bodies_, base, turn, false);
@@ -124,7 +124,7 @@ namespace vfife
         PressedState now   = settle(base, turn);
         const double touch = pair_.find_touch(base + now.deflection, load(1.) < 0 ? -1. : 1.);
         const bool   found =
-          std::abs(touch - turn) * model_.transmission->arm <= PressedPair::touch_tolerance;
+          std::abs(touch - turn) * model_.only_transmission()->arm <= PressedPair::touch_tolerance;
         now.turn = turn = touch;
         if (found || !bodies_->has_bearings())
           return now;
@@ -181,7 +181,7 @@ namespace vfife
       }
     result.iterations = balance(base, load, *pressed_);
     check_reach(base + pressed_->deflection);
-    result.residual      = pressed_->residual(TurnLoad{load}, model_.transmission->arm);
+    result.residual      = pressed_->residual(TurnLoad{load}, model_.only_transmission()->arm);
     result.turn          = pressed_->turn;
     result.displacements = free;
     add_to(result.displacements, compliance_.solve(compliance_.spread(pressed_->force)));
@@ -195,8 +195,8 @@ namespace vfife
   {
     const TurnLoad acting{load(load_factor)};
     result.turn           = now.turn;
-    result.residual       = now.residual(acting, model_.transmission->arm);
-    result.contact_torque = model_.transmission->driven_sense * now.acting.contact_torque;
+    result.residual       = now.residual(acting, model_.only_transmission()->arm);
+    result.contact_torque = model_.only_transmission()->driven_sense * now.acting.contact_torque;
     result.teeth          = pair_.teeth();
     result.contact_forces = pair_.contact_forces();
 
@@ -249,7 +249,7 @@ namespace vfife
   double
   lead_of_driven(const FemSpace &space, const double turn, const std::vector<double> &displacements)
   {
-    const Transmission &t = *space.model().transmission;
+    const Transmission &t = *space.model().only_transmission();
     const double        driven =
       t.driven_sense * (turn + mean_rotation(space, t.driven, t.driven_bore, displacements));
     // A driver without bore turns as prescribed.

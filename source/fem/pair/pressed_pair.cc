@@ -34,7 +34,7 @@ namespace vfife
     : model_(model)
     , rotations_(model.bodies.size(), Matrix3::Identity())
   {
-    if (!model.transmission || model.contacts.empty())
+    if (model.transmissions.empty() || model.contacts.empty())
       throw InputError("the equilibrium of a loaded pair requires a gear pair with contact");
     for (const ContactPair &pair : model.contacts)
       pairs_.push_back(std::make_unique<Pair>(pair, model));
@@ -44,7 +44,7 @@ namespace vfife
 
   void PressedPair::set_position(const double driver_turn)
   {
-    const Transmission &t = *model_.transmission;
+    const Transmission &t = *model_.only_transmission();
     driver_turn_          = driver_turn;
     rotations_[t.driver] =
       rotation_about(model_.bodies[t.driver].axis.direction, t.driver_sense * driver_turn);
@@ -53,7 +53,7 @@ namespace vfife
 
   std::vector<double> PressedPair::kinematic_turns() const
   {
-    const Transmission &t = *model_.transmission;
+    const Transmission &t = *model_.only_transmission();
     std::vector<double> turns(model_.bodies.size(), 0.);
     turns[t.driver] = t.driver_sense * driver_turn_;
     turns[t.driven] = t.driven_sense * t.ratio() * driver_turn_;
@@ -62,7 +62,7 @@ namespace vfife
 
   void PressedPair::set_turn(const double turn)
   {
-    const Transmission &t = *model_.transmission;
+    const Transmission &t = *model_.only_transmission();
     rotations_[t.driven]  = rotation_about(model_.bodies[t.driven].axis.direction,
                                           t.driven_sense * t.ratio() * driver_turn_ + turn);
   }
@@ -216,7 +216,7 @@ namespace vfife
 
   void PressedPair::add_contact(const Eigen::VectorXd &u, PressedForces &sum)
   {
-    const unsigned int driven = model_.transmission->driven;
+    const unsigned int driven = model_.only_transmission()->driven;
     for (const auto &pair : pairs_)
       {
         // x = c + R (X + u - c) of both flanks; the contact module works in the fixed frame, and
@@ -276,7 +276,7 @@ namespace vfife
           break;
         if (std::abs(gap) < touch_tolerance)
           return turn;
-        turn += sense * gap / model_.transmission->arm;
+        turn += sense * gap / model_.only_transmission()->arm;
       }
     fail("the flanks are not in contact within the search range: mounting errors separate them, or "
          "the torque rotates them past each other",
@@ -299,7 +299,7 @@ namespace vfife
       {
         // Twice as deep each time, until the contact has at least the torque: Newton's method comes
         // back from there, where all points that will carry are pressed.
-        guess.turn   = touch + sense * depth / model_.transmission->arm;
+        guess.turn   = touch + sense * depth / model_.only_transmission()->arm;
         guess.acting = evaluate(bodies, u, guess.turn, true);
         if (-sense * guess.acting.contact_torque >= std::abs(load))
           return guess;

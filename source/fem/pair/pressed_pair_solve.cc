@@ -109,7 +109,7 @@ namespace vfife
 
   std::vector<PressedPair::Spring> PressedPair::find_springs() const
   {
-    const unsigned int driven = model_.transmission->driven;
+    const unsigned int driven = model_.only_transmission()->driven;
     const Axis        &axis   = model_.bodies[driven].axis;
     // Of each point under pressure: h changes by d . (dx_s - dy), d on the slave's node weights and
     // -d on the master's (at most 4 + 4 nodes), turned back into the axes of the rows; and by the
@@ -153,7 +153,7 @@ namespace vfife
                                               const bool             own) const
   {
     Tangent tangent;
-    tangent.arm = model_.transmission->arm;
+    tangent.arm = model_.only_transmission()->arm;
     if (touching)
       tangent.springs = find_springs();
     tangent.others = bodies.find_springs(u, touching, own);
@@ -198,7 +198,7 @@ namespace vfife
     // A whole step that halves the residual is taken as it is: the contact's forces leave out terms
     // of second order (doc/theory/contact.md, Force along the facet), and next to the equilibrium
     // the potential may gain more by these than it loses by the step.
-    const double arm   = model_.transmission->arm;
+    const double arm   = model_.only_transmission()->arm;
     const double start = now.potential(load), residual = now.residual(load, arm);
     const double scale = 0.5 * std::abs(now.force.dot(now.deflection)) +
                          std::abs(now.acting.energy) +
@@ -236,7 +236,7 @@ namespace vfife
     const double       jump  = loses ? edge_jump : equilibrium_jump;
     for (unsigned int i = 0;; ++i)
       {
-        const double residual = now.residual(load, model_.transmission->arm);
+        const double residual = now.residual(load, model_.only_transmission()->arm);
         if (now.presses() && std::isfinite(residual))
           history << " " << residual;
         else

@@ -61,7 +61,7 @@ namespace vfife
   double FlankPair::torque_arm(const Vector3 &position, const Vector3 &normal) const
   {
     // The load turns the driven body against its sense and so closes the gap, n . (x_s - y).
-    const Transmission &t     = *space_.model().transmission;
+    const Transmission &t     = *space_.model().only_transmission();
     const Axis         &axis  = space_.model().bodies[t.driven].axis;
     const double        sense = bodies_[1] == t.driven ? -t.driven_sense : t.driven_sense;
     return sense * normal.dot(axis.direction.cross(position - axis.point));

@@ -67,7 +67,8 @@ namespace vfife
                                     PenaltyCalibration          *calibration)
   {
     // Flanks that rigid bodies would press on each other may carry.
-    const double reach = std::abs(result.turn - result.touch_turn) * model_.transmission->arm;
+    const double reach =
+      std::abs(result.turn - result.touch_turn) * model_.only_transmission()->arm;
     place(equilibrium, result);
     std::vector<ElasticContact> contacts;
     for (const auto &[slave, master] : equilibrium.candidate_teeth())

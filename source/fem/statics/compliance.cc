@@ -148,9 +148,9 @@ namespace vfife
         const bool hub     = has_turning_hub(model_, part.body);
         bool       bearing = false;
         // In bearings alone only the driven body of a pair may turn: its turn is asked for.
-        if (model_.transmission && part.body == model_.transmission->driven)
+        for (const Transmission &t : model_.transmissions)
           for (const Bearing &of_body : model_.bearings)
-            bearing = bearing || of_body.body == part.body;
+            bearing = bearing || (part.body == t.driven && part.body == of_body.body);
         const auto motions = find_free_motions(space_, part);
         if (motions.empty())
           continue;

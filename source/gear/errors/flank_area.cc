@@ -28,7 +28,7 @@ namespace vfife
       {
         const double  L     = toe_ + end * length_;
         const Vector3 start = gear.fillet_point(side, L, gear.fillet_end(side)).position;
-        const double  low = blank.coordinates_of(start)[1], tip = blank.addendum(L);
+        const double  low = blank.coordinates_of(start)[1], tip = blank.flank_tip(L);
         low_[end]  = low + margins.profile * (tip - low);
         high_[end] = tip - margins.profile * (tip - low);
       }

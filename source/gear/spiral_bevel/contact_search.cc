@@ -11,7 +11,7 @@ namespace vfife
   bool is_on_tooth(const Blank &blank, const Vector2 &L_h)
   {
     return L_h[0] > blank.inner_cone_distance() && L_h[0] < blank.outer_cone_distance &&
-           L_h[1] < blank.addendum(L_h[0]) && L_h[1] > -blank.dedendum(L_h[0]);
+           L_h[1] < blank.flank_tip(L_h[0]) && L_h[1] > -blank.dedendum(L_h[0]);
   }
 
   namespace

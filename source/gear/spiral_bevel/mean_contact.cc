@@ -33,7 +33,7 @@ namespace vfife
                                  " mm, h ",
                                  -blank.dedendum(L_h[0]),
                                  " to ",
-                                 blank.addendum(L_h[0]),
+                                 blank.flank_tip(L_h[0]),
                                  " mm): the settings of the two flanks do not fit"));
       if (!flank.is_left(point))
         throw InputError("Gear pair/" + entry,

@@ -94,11 +94,8 @@ namespace vfife
 
   double EdgeContact::edge_distance(const Vector2 &L_h) const
   {
-    const Blank &blank = on_pinion_ ? pinion_blank_ : gear_blank_;
-    if (edge_ == FlankBorder::tip)
-      return blank.addendum(L_h[0]) - L_h[1];
-    return edge_ == FlankBorder::toe ? L_h[0] - blank.inner_cone_distance()
-                                     : blank.outer_cone_distance - L_h[0];
+    return edge_distances(on_pinion_ ? pinion_blank_ : gear_blank_,
+                          L_h)[static_cast<unsigned int>(edge_)];
   }
 
   Vector2 EdgeContact::distance_gradient(const SurfaceDerivatives &d) const

@@ -56,7 +56,7 @@ namespace vfife
           return section;
 
         // The tip land is measured normal to the teeth: transverse thickness times cos b.
-        const double tip   = member_.blank().addendum(L);
+        const double tip   = member_.blank().flank_tip(L);
         section.thickness  = member_.tooth_thickness(L, 0.);
         const Flank &flank = member_.generated_flank(FlankSide::concave);
         section.tip_land =
@@ -85,7 +85,7 @@ namespace vfife
         try
           {
             const double reference =
-              surface_element(flank, flank.point_at(L, member_.blank().addendum(L)));
+              surface_element(flank, flank.point_at(L, member_.blank().flank_tip(L)));
             edge                      = "root";
             const GeneratedPoint end  = flank.fillet_at(L, member_.fillet_end(side));
             const double         root = flank.cone_coordinates(flank.fillet_at(L, 0.).position)[1];
@@ -137,7 +137,7 @@ namespace vfife
     {
       const GearMember &one = pair.pinion(), &two = pair.gear();
       // the gear's tip touches the pinion here, were it not relieved
-      const EaseOffPoint tip = measure_ease_off(pair, side, {L, two.blank().addendum(L)});
+      const EaseOffPoint tip = measure_ease_off(pair, side, {L, two.blank().flank_tip(L)});
       if (tip.exists)
         pinion.fillet_distance =
           std::min(pinion.fillet_distance,
@@ -149,7 +149,7 @@ namespace vfife
       if (end.exists)
         gear.fillet_distance =
           std::min(gear.fillet_distance,
-                   end.pinion_L_h[1] - one.blank().addendum(end.pinion_L_h[0]));
+                   end.pinion_L_h[1] - one.blank().flank_tip(end.pinion_L_h[0]));
     }
 
     /** Warns where the mating tip meets the fillet. */
@@ -276,14 +276,14 @@ namespace vfife
           {
             const double       L     = two.inner_cone_distance() + i * two.face_width / n_length;
             const double       low   = fillet_end_height(pair.gear(), pair.gear_side(side), L);
-            const double       h     = low + j * (two.addendum(L) - low) / n_height;
+            const double       h     = low + j * (two.flank_tip(L) - low) / n_height;
             const EaseOffPoint point = measure_ease_off(pair, side, {L, h});
             if (!point.exists || std::isnan(point.ease_off))
               continue;
             const double L1 = point.pinion_L_h[0], h1 = point.pinion_L_h[1];
+            const auto   edges = edge_distances(one, point.pinion_L_h);
             const bool   on_pinion =
-              L1 >= one.inner_cone_distance() && L1 <= one.outer_cone_distance &&
-              h1 <= one.addendum(L1) &&
+              *std::min_element(edges.begin(), edges.end()) >= 0. &&
               h1 >= fillet_end_height(pair.pinion(), pair.pinion_side(side), L1);
             table.add_row({side_name(side),
                            L,

@@ -30,15 +30,20 @@ namespace vfife
     }
   } // namespace
 
+  std::array<double, 3> edge_distances(const Blank &blank, const Vector2 &L_h)
+  {
+    return {{L_h[0] - blank.inner_cone_distance(),
+             blank.outer_cone_distance - L_h[0],
+             blank.flank_tip(L_h[0]) - L_h[1]}};
+  }
+
   std::array<double, 4> border_distances(const Blank          &blank,
                                          const Flank          &flank,
                                          const GeneratedPoint &point,
                                          const Vector2        &L_h)
   {
-    return {{L_h[0] - blank.inner_cone_distance(),
-             blank.outer_cone_distance - L_h[0],
-             blank.addendum(L_h[0]) - L_h[1],
-             point.s - flank.straight_start()}};
+    const auto edges = edge_distances(blank, L_h);
+    return {{edges[0], edges[1], edges[2], point.s - flank.straight_start()}};
   }
 
   std::string PairBorder::name() const

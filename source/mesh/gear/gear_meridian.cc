@@ -127,21 +127,19 @@ namespace vfife
 
     /** Points (h, angle) of a flank of tooth 0 from the fillet's bottom to the tip, angles near
      * @p angle. */
-    std::vector<Vector2> compute_profile(const GearGeometry &gear,
-                                         const FlankSide     side,
-                                         const double        L,
-                                         const double        angle)
+    std::vector<Vector2> compute_fine_profile(const GearGeometry &gear,
+                                              const FlankSide     side,
+                                              const double        L,
+                                              const double        angle)
     {
       const BlankOutline  &blank = gear.blank();
       std::vector<Vector2> profile;
       const auto           add = [&](const Vector3 &x) {
-        const double own = polar_angle(x);
-        profile.emplace_back(blank.coordinates_of(x)[1],
-                             angle + std::remainder(own - angle, 2. * pi));
+        profile.push_back(section_coordinates(blank, x, angle));
       };
       for (unsigned int i = 0; i <= n_fillet; ++i)
         add(gear.fillet_point(side, L, gear.fillet_end(side) * i / n_fillet).position);
-      const double start = profile.back()[0], tip = blank.addendum(L);
+      const double start = profile.back()[0], tip = blank.flank_tip(L);
       for (unsigned int i = 1; i <= n_flank; ++i)
         add(gear.flank_point(side, L, start + (tip - start) * i / n_flank).position);
       return profile;
@@ -153,8 +151,8 @@ namespace vfife
       const double L = section.cone_distance;
       // The outline of the tooth and its half slots: root land, lower flank up, upper flank down,
       // root land; int F(h) d(angle) by trapezoids, F the integral over h.
-      auto       outline = compute_profile(gear, gear.lower_side(), L, section.lower[0][1]);
-      const auto upper   = compute_profile(gear, gear.upper_side(), L, section.upper[0][1]);
+      auto       outline = compute_fine_profile(gear, gear.lower_side(), L, section.lower[0][1]);
+      const auto upper   = compute_fine_profile(gear, gear.upper_side(), L, section.upper[0][1]);
       outline.insert(outline.end(), upper.rbegin(), upper.rend());
       outline.insert(outline.begin(), Vector2(section.root_height, section.left_angle));
       outline.emplace_back(section.root_height, section.left_angle + section.pitch);

@@ -12,16 +12,14 @@
 
 namespace vfife
 {
+  Vector2 section_coordinates(const BlankOutline &blank, const Vector3 &x, const double near_angle)
+  {
+    const double angle = polar_angle(x);
+    return {blank.coordinates_of(x)[1], near_angle + std::remainder(angle - near_angle, 2. * pi)};
+  }
+
   namespace
   {
-    /** (h, angle) of a surface point; the angle is the one nearest to @p near_angle. */
-    Vector2
-    section_coordinates(const BlankOutline &blank, const Vector3 &x, const double near_angle)
-    {
-      const double angle = polar_angle(x);
-      return {blank.coordinates_of(x)[1], near_angle + std::remainder(angle - near_angle, 2. * pi)};
-    }
-
     /** Throws InputError where the flank does not start where the fillet ends: the cutter's edge
      * has taken its foot away. */
     void check_start_of_flank(const GearGeometry &gear,
@@ -71,7 +69,7 @@ namespace vfife
       // rows of equal or graded height between the end of the fillet and the tip
       const double start_height =
         section_coordinates(blank, gear.fillet_point(side, L, end).position, near_angle)[0];
-      const double tip_height = blank.addendum(L);
+      const double tip_height = blank.flank_tip(L);
       if (!(start_height < tip_height))
         {
           std::ostringstream message;
@@ -210,9 +208,9 @@ namespace vfife
       {
         const GearSection outline = compute_gear_section(gear, L, 1);
         const double      width   = top_land(outline),
-                     depth        = small * width * blank.meridian_point({L, blank.addendum(L)})[0],
-                     left         = top_land(move_inward(gear, outline, fillet_corner, depth));
-        most = std::min(most, part_of_top_land * depth * width / (width - left));
+                     depth = small * width * blank.meridian_point({L, blank.flank_tip(L)})[0],
+                     left  = top_land(move_inward(gear, outline, fillet_corner, depth));
+        most               = std::min(most, part_of_top_land * depth * width / (width - left));
       }
     return most;
   }
@@ -233,7 +231,7 @@ namespace vfife
                      left         = top_land(move_inward(gear, outline, fillet_corner, depth));
         if (left > least_part_of_top_land * width)
           continue;
-        const double       radius = blank.meridian_point({L, blank.addendum(L)})[0];
+        const double       radius = blank.meridian_point({L, blank.flank_tip(L)})[0];
         const double       most   = (1. - least_part_of_top_land) * depth * width / (width - left);
         std::ostringstream message;
         message << "expected at most " << std::floor(100. * most) / 100.

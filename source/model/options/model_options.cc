@@ -2,7 +2,6 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
-#include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/log.h>
 #include <vfife/model/options/model_options.h>
 
@@ -157,22 +156,13 @@ namespace vfife
     inside_each(prm, "Contact", contacts_, declare_kind);
   }
 
-  void ModelOptions::declare_materials(dealii::ParameterHandler &prm)
+  void ModelOptions::declare_materials(dealii::ParameterHandler &prm, const ParameterFile &file)
   {
-    materials_.clear();
-    // One section for all bodies of a material.
     std::vector<std::string> names;
     for (const auto &body : bodies_)
       for (const std::string &name : body.second.material_names())
-        if (std::find(names.begin(), names.end(), name) == names.end())
-          names.push_back(name);
-    materials_.reserve(names.size()); // entries are bound by address
-    for (const std::string &name : names)
-      {
-        materials_.emplace_back();
-        materials_.back().name = name;
-        declare_section(prm, "Material " + name, materials_.back());
-      }
+        names.push_back(name);
+    materials_.declare(prm, file, names);
   }
 
   void ModelOptions::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
@@ -200,7 +190,7 @@ namespace vfife
       inside_each(prm, "Contact", contacts_, declare_all);
       inside_each(prm, "Probe", probes_, declare_all);
     }
-    declare_materials(prm);
+    declare_materials(prm, file);
   }
 
   void ModelOptions::check() const
@@ -208,34 +198,36 @@ namespace vfife
     if (bodies_.empty())
       throw InputError("Model/bodies", "expected at least one body, got none");
     for (const auto &body : bodies_)
-      body.second.check(section_of("Body", body.first));
+      {
+        body.second.check(section_of("Body", body.first));
+        materials_of(body);
+      }
     for (const auto &constraint : constraints_)
       constraint.second.check(section_of("Constraint", constraint.first));
     for (const auto &contact : contacts_)
       contact.second.check(section_of("Contact", contact.first));
-    for (const Material &m : materials_)
-      m.check("Material " + m.name);
+    materials_.check();
   }
 
-  const Material &ModelOptions::material(const std::string &name) const
+  std::vector<Material>
+  ModelOptions::materials_of(const std::pair<std::string, BodyOptions> &body) const
   {
-    // There is one: declare_materials() has made a section for each name that a body gives.
-    return *std::find_if(materials_.begin(), materials_.end(), [&](const Material &m) {
-      return m.name == name;
-    });
+    std::vector<Material> materials;
+    for (const std::string &name : body.second.material_names())
+      {
+        const char *entry = name == body.second.material ? "/material" : "/region materials";
+        materials.push_back(materials_.find(name, section_of("Body", body.first) + entry));
+      }
+    return materials;
   }
 
   Model ModelOptions::make_model() const
   {
     Model model;
+    // Bodies first: the other parts look up bodies and their nodes.
     for (const auto &body : bodies_)
-      {
-        // Bodies first: the other parts look up bodies and their nodes.
-        std::vector<Material> materials;
-        for (const std::string &name : body.second.material_names())
-          materials.push_back(material(name));
-        model.add_body(body.second.make(body.first, materials, section_of("Body", body.first)));
-      }
+      model.add_body(
+        body.second.make(body.first, materials_of(body), section_of("Body", body.first)));
     for (const auto &constraint : constraints_)
       constraint.second.add_to(model, constraint.first, section_of("Constraint", constraint.first));
     for (const auto &load : loads_)

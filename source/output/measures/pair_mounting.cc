@@ -7,7 +7,7 @@ namespace vfife
 {
   PairMounting::PairMounting(const Model &model)
   {
-    const Transmission &t = *model.transmission;
+    const Transmission &t = *model.only_transmission();
     for (unsigned int b = 0; b < 2; ++b)
       {
         const Body &body   = model.bodies[b];
@@ -23,7 +23,7 @@ namespace vfife
 
   bool PairMounting::changes(const Model &model)
   {
-    return model.transmission && (model.bodies[0].floats || model.bodies[1].floats);
+    return !model.transmissions.empty() && (model.bodies[0].floats || model.bodies[1].floats);
   }
 
   Mounting PairMounting::measure(const RingMotions &motion_of) const

@@ -105,7 +105,7 @@ namespace vfife
     : model_(model)
     , teeth_(options.teeth)
   {
-    const Transmission &t = *model.transmission;
+    const Transmission &t = *model.only_transmission();
     for (const unsigned int body : {t.driver, t.driven})
       {
         named_teeth_[body] = options.read_named_teeth(model.bodies[body].name(), count_teeth(body));
@@ -131,7 +131,7 @@ namespace vfife
 
   unsigned int RootStress::count_teeth(const unsigned int body) const
   {
-    const Transmission &t = *model_.transmission;
+    const Transmission &t = *model_.only_transmission();
     return body == t.driver ? t.driver_teeth : t.driven_teeth;
   }
 
@@ -163,7 +163,7 @@ namespace vfife
                                 const double       meshes) const
   {
     // A tooth ahead in the sense of the body's rotation has been where tooth 0 is now.
-    const Transmission &t = *model_.transmission;
+    const Transmission &t = *model_.only_transmission();
     const double        z = count_teeth(body),
                  after    = meshes + (body == t.driver ? t.driver_sense : t.driven_sense) * tooth;
     return after - z * std::floor(after / z + .5);
@@ -358,7 +358,7 @@ namespace vfife
   std::vector<MemberFilletStress> RootStress::list_members() const
   {
     std::vector<MemberFilletStress> members;
-    const Transmission             &t = *model_.transmission;
+    const Transmission             &t = *model_.only_transmission();
     for (const bool at_hub : {false, true})
       for (const unsigned int body : {t.driver, t.driven})
         {

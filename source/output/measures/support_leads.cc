@@ -10,7 +10,7 @@ namespace vfife
   SupportLeads::SupportLeads(const Model &model)
     : model_(model)
   {
-    const Transmission &t = *model.transmission;
+    const Transmission &t = *model.only_transmission();
     add_member(t.driver, t.driver_bore);
     add_member(t.driven, t.driven_bore);
   }
@@ -36,7 +36,7 @@ namespace vfife
   {
     Leads leads;
     using Vector6         = Eigen::Matrix<double, 6, 1>;
-    const Transmission &t = *model_.transmission;
+    const Transmission &t = *model_.only_transmission();
     for (const unsigned int b : {t.driver, t.driven})
       {
         const Member &member = members_[b];

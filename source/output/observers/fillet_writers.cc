@@ -59,9 +59,8 @@ namespace vfife
 
   void RootStressWriter::add_rows(const Model &model, const State &state)
   {
-    for (const RootStressSample &sample : stress_.measure(model.transmission->meshes(state.time),
-                                                          state.measured.teeth,
-                                                          measure_(state)))
+    for (const RootStressSample &sample : stress_.measure(
+           model.only_transmission()->meshes(state.time), state.measured.teeth, measure_(state)))
       add_row(state, sample);
   }
 
@@ -93,7 +92,7 @@ namespace vfife
   void GaugeWriter::add_rows(const Model &model, const State &state)
   {
     for (const GaugeSample &sample :
-         stress_.read_gauges(model.transmission->meshes(state.time), false, measure_(state)))
+         stress_.read_gauges(model.only_transmission()->meshes(state.time), false, measure_(state)))
       add_row(state, sample);
   }
 } // namespace vfife

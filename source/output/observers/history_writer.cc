@@ -112,7 +112,7 @@ namespace vfife
     HistoryColumns list_columns(const Model &model, const HistoryWriter::ImpulseReader &impulse)
     {
       HistoryColumns    columns;
-      const auto       &pair   = model.transmission;
+      const auto *const pair   = model.only_transmission();
       const std::string driver = pair ? model.bodies[pair->driver].name() : "";
       const std::string driven = pair ? model.bodies[pair->driven].name() : "";
       if (pair)
@@ -150,7 +150,7 @@ namespace vfife
       columns.add("largest penetration", "um", [](Now now) {
         return 1e3 * now.largest_penetration;
       });
-      add_energies(pair.has_value(), columns);
+      add_energies(pair != nullptr, columns);
       if (!pair)
         {
           add_contacts(model, columns);

@@ -82,12 +82,13 @@ namespace vfife
     std::ostringstream text;
     text << std::fixed << std::setprecision(0) << std::setw(3) << std::floor(100 * done + 1e-9)
          << " %  " << std::setprecision(3) << 1e3 * state.time << " ms";
-    if (model.transmission)
+    const Transmission *const t = model.only_transmission();
+    if (t)
       text << std::setprecision(1) << "  mesh cycle "
-           << model.transmission->meshes(state.time) - model.transmission->meshes(start_time_);
+           << t->meshes(state.time) - t->meshes(start_time_);
     text << "  step " << state.step << std::scientific << std::setprecision(1) << "  energy error "
          << state.measured.energy.error();
-    if (model.transmission)
+    if (t)
       text << std::fixed << std::setprecision(2) << "  DTE "
            << state.measured.transmission_error / arcsecond << " arcsec";
     // By what this process has done: a resumed run does not count the part before.

@@ -41,7 +41,7 @@ namespace vfife
 
   unsigned int RimWriter::count_diameters(const Model &model)
   {
-    const unsigned int teeth = model.transmission->driven_teeth;
+    const unsigned int teeth = model.only_transmission()->driven_teeth;
     // Waves shorter than two teeth cannot be told from longer ones.
     return std::min(largest_diameters, teeth > 0 ? (teeth - 1) / 2 : 0);
   }
@@ -59,8 +59,8 @@ namespace vfife
 
   void RimWriter::find_nodes(const Model &model, const Partition &partition)
   {
-    const Body &gear = model.bodies[model.transmission->driven];
-    const auto &rim  = model.transmission->driven_rim;
+    const Body &gear = model.bodies[model.only_transmission()->driven];
+    const auto &rim  = model.only_transmission()->driven_rim;
     double      mass = 0;
     for (const unsigned int i : rim)
       mass += gear.node_masses()[i];
@@ -133,7 +133,7 @@ namespace vfife
 
   RimWaves RimWriter::measure_positions(const Model &model, const State &state)
   {
-    const unsigned int b    = model.transmission->driven;
+    const unsigned int b    = model.only_transmission()->driven;
     const Body        &gear = model.bodies[b];
     if (partition_ != state.partition)
       find_nodes(model, *state.partition);

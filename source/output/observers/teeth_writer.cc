@@ -15,9 +15,9 @@ namespace vfife
     /** All columns in the order of the file. */
     ToothColumns list_columns(const Model &model, const HertzContact &hertz)
     {
-      ToothColumns columns;
-      const auto  &t     = model.transmission;
-      const auto   tooth = [&](const unsigned int b) {
+      ToothColumns      columns;
+      const auto *const t     = model.only_transmission();
+      const auto        tooth = [&](const unsigned int b) {
         return column::tooth_of(model.bodies[b].name());
       };
       columns.add_text(column::side, [](Pair pair) { return pair.contact.side; });
@@ -47,12 +47,12 @@ namespace vfife
     /** Whether the slave surface of that side belongs to the driven member. */
     bool is_driven_slave(const Model &model, const std::string &side)
     {
-      if (!model.transmission)
+      if (model.transmissions.empty())
         return false;
       const auto pair = std::find_if(model.contacts.begin(),
                                      model.contacts.end(),
                                      [&side](const ContactPair &p) { return p.side == side; });
-      return pair != model.contacts.end() && pair->slave_body == model.transmission->driven;
+      return pair != model.contacts.end() && pair->slave_body == model.only_transmission()->driven;
     }
   } // namespace
 

@@ -60,7 +60,7 @@ namespace vfife
   std::optional<NearestWave>
   find_nearest_wave(const Model &model, const ModalDamping &damping, ReducedPair &pair)
   {
-    const Transmission &t = *model.transmission;
+    const Transmission &t = *model.only_transmission();
     if (!t.has_constant_rate() || t.driver_rate == 0)
       return {};
     const double         step = pair.time_step();

@@ -13,9 +13,9 @@ namespace vfife
   } // namespace
 
   StaticPassage::StaticPassage(const Model &model, ReducedPair &pair, const unsigned int n_steps)
-    : teeth_(model.transmission->driven_teeth)
+    : teeth_(model.only_transmission()->driven_teeth)
   {
-    const Transmission &t = *model.transmission;
+    const Transmission &t = *model.only_transmission();
     for (const auto &harmonic : pair.body(t.driven).harmonics)
       numbers_.push_back(harmonic.number);
     sense_             = t.driven_sense * pair.sector_sense(t.driven);

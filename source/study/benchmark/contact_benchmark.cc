@@ -36,7 +36,7 @@ namespace vfife
             rate.velocity = -rate.omega.cross(body.axis.point);
             rates_.push_back(rate);
           }
-        const Transmission &t = *model.transmission;
+        const Transmission &t = *model.only_transmission();
         // Turned back against the drive by closing/arm: at the mean contact the flanks then lie
         // `closing` in each other.
         closed_ =
@@ -49,8 +49,9 @@ namespace vfife
         for (unsigned int b = 0; b < model_.bodies.size(); ++b)
           {
             const Body   &body = model_.bodies[b];
-            const Matrix3 turn = rotation_about(body.axis.direction, body.rate * time) *
-                                 (b == model_.transmission->driven ? closed_ : Matrix3::Identity());
+            const Matrix3 turn =
+              rotation_about(body.axis.direction, body.rate * time) *
+              (b == model_.only_transmission()->driven ? closed_ : Matrix3::Identity());
             RigidMotion &motion = state_.body_motion[b];
             motion.rotation     = turn * body.placement.rotation;
             motion.translation =

@@ -109,15 +109,7 @@ namespace vfife
       member.supports.declare(prm);
     });
 
-    materials_.clear();
-    materials_.reserve(2); // entries are bound by address
-    for (const Member &member : members_)
-      if (materials_.empty() || materials_.front().name != member.material)
-        {
-          materials_.emplace_back();
-          materials_.back().name = member.material;
-          declare_section(prm, "Material " + member.material, materials_.back());
-        }
+    materials_.declare(prm, file, {members_[0].material, members_[1].material});
     operation_.declare(prm);
     declare_section(prm, "Contact", contact_);
     Subsection contact(prm, "Contact");
@@ -217,14 +209,15 @@ namespace vfife
     check_body(members_[1], completed.gear.blank);
     check_shafts();
     check_surface_layers();
-    for (const Material &m : materials_)
-      m.check("Material " + m.name);
+    for (const unsigned int body : {0u, 1u})
+      material_of(body);
+    materials_.check();
   }
 
-  const Material &GearCase::material(const std::string &name) const
+  const Material &GearCase::material_of(const unsigned int body) const
   {
-    // There are one or two: a material that both members name is declared once.
-    return materials_.front().name == name ? materials_.front() : materials_.back();
+    const Member &member = members_[body];
+    return materials_.find(member.material, "Gear pair/" + member.name + "/material");
   }
 
   bool GearCase::has_web() const
@@ -314,7 +307,7 @@ namespace vfife
 
   double GearCase::pair_modulus() const
   {
-    const Material &pinion = material(members_[0].material), &gear = material(members_[1].material);
+    const Material &pinion = material_of(0), &gear = material_of(1);
     return contact_modulus(pinion.youngs_modulus,
                            pinion.poissons_ratio,
                            gear.youngs_modulus,

@@ -70,7 +70,7 @@ namespace vfife
         return "";
       // The driver pushes along -n: the moment -a . ((P - c) x n) about the driven axis must have
       // the sense in which the driven member turns.
-      const Transmission &t    = *plan.model->transmission;
+      const Transmission &t    = *plan.model->only_transmission();
       const Axis         &axis = plan.model->bodies[t.driven].axis;
       const double        arm  = -t.driven_sense *
                          axis.direction.dot((t.contact_point - axis.point).cross(t.contact_normal));

@@ -103,8 +103,8 @@ namespace vfife
     // 2. What drives and what is driven.
     Transmission t = make_transmission(pair);
     // The rim is where the parts of the transmission error are fitted.
-    t.driven_rim       = model.bodies[t.driven].node_set(node_set::rim);
-    model.transmission = t;
+    t.driven_rim        = model.bodies[t.driven].node_set(node_set::rim);
+    model.transmissions = {t};
 
     // 3. Bores, load torque, flanks that may touch, places that are looked at.
     add_drive(model);
@@ -125,7 +125,7 @@ namespace vfife
     const GearMember &teeth = body == 0 ? pair.pinion() : pair.gear();
     return {body == 0 ? "pinion" : "gear",
             make_gear_body(teeth, members_[body].with_levels(teeth.blank())),
-            material(members_[body].material)};
+            material_of(body)};
   }
 
   void GearCase::add_housing(Model &model) const
@@ -158,7 +158,7 @@ namespace vfife
 
   void GearCase::add_drive(Model &model) const
   {
-    Transmission                   &t        = *model.transmission;
+    Transmission                   &t        = model.transmissions.front();
     const Body                     &driver   = model.bodies[t.driver];
     const Member                   &member   = members_[t.driver];
     const std::vector<ShaftSection> sections = member.shaft_sections();
@@ -178,7 +178,7 @@ namespace vfife
   {
     // The set that is held is the bore, or without a web the underside of the rim. What turns there
     // is the theta_g of the transmission error.
-    Transmission                   &t        = *model.transmission;
+    Transmission                   &t        = model.transmissions.front();
     const Body                     &driven   = model.bodies[t.driven];
     const Member                   &member   = members_[t.driven];
     const std::vector<ShaftSection> sections = member.shaft_sections();
@@ -289,7 +289,7 @@ namespace vfife
     ContactOptions options = contact_;
     if (leaves_penalty_open())
       options.penalty.value = guess_penalty(pair);
-    const Transmission &t             = *model.transmission;
+    const Transmission &t             = *model.only_transmission();
     const bool          pinion_drives = operation_.driving == DrivingMember::pinion;
     const MeshSide      working       = working_side();
     // the side that carries comes first, the driver is the slave

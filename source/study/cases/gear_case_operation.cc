@@ -88,17 +88,17 @@ namespace vfife
     const double speed = operation_.speed * largest_speed_factor() * blank.outer_cone_distance *
                          std::sin(blank.pitch_angle);
     double strain = 0;
-    for (const Member &member : members_)
-      strain = std::max(strain,
-                        material(member.material).density * speed * speed /
-                          material(member.material).youngs_modulus);
+    for (const unsigned int body : {0u, 1u})
+      strain =
+        std::max(strain,
+                 material_of(body).density * speed * speed / material_of(body).youngs_modulus);
     return strain;
   }
 
   double GearCase::ring_rate() const
   {
     const Blank     gear     = pair_.completed().gear.blank;
-    const Material &material = this->material(members_[1].material);
+    const Material &material = material_of(1);
     return std::sqrt(material.youngs_modulus / material.density) /
            (gear.outer_cone_distance * std::sin(gear.pitch_angle));
   }

@@ -18,9 +18,9 @@ namespace vfife
 
     Member member_of(const Model &model, const Probe &probe)
     {
-      if (!model.transmission)
+      if (model.transmissions.empty())
         throw InputError("expected a model of a gear pair");
-      const Transmission &t         = *model.transmission;
+      const Transmission &t         = *model.only_transmission();
       const bool          is_driver = probe.body == t.driver;
       return {is_driver ? t.driver_teeth : t.driven_teeth,
               is_driver ? t.driver_sense : t.driven_sense};
@@ -55,7 +55,7 @@ namespace vfife
       return Vector3(r - a.dot(r) * a);
     };
     const Vector3 node    = flat(body.placement(body.node_positions()[probe.node]));
-    const Vector3 contact = flat(model.transmission->contact_point);
+    const Vector3 contact = flat(model.only_transmission()->contact_point);
     const double  angle  = member.sense * std::atan2(a.dot(node.cross(contact)), node.dot(contact));
     const double  meshes = angle * member.teeth / (2 * pi);
     return meshes < 0 ? meshes + member.teeth : meshes;

@@ -16,7 +16,7 @@ namespace vfife
   }
 
   TorquePressure::TorquePressure(const HertzContact &hertz, const Model &model)
-    : TorquePressure(hertz, load_torque(model) / model.transmission->arm)
+    : TorquePressure(hertz, load_torque(model) / model.only_transmission()->arm)
   {
   }
 

@@ -396,7 +396,7 @@ namespace vfife
 
   void LinearStaticStudy::refuse_what_is_not_linear(const Model &model) const
   {
-    if (model.transmission)
+    if (!model.transmissions.empty())
       return;
     // Contact of a gear pair is left out by itself, each member being looked at alone; that of a
     // general model is something that the user has asked for.
@@ -436,7 +436,7 @@ namespace vfife
     for (const Probe &probe : model.probes)
       state.measured.probes.push_back(find_probe_value(probe, model, solution));
     Observers observers;
-    if (!model.transmission)
+    if (model.transmissions.empty())
       observers.push_back(std::make_unique<HistoryWriter>(folder, model, 1));
     else
       observers.push_back(std::make_unique<ProbeWriter>(folder, 1));
@@ -512,7 +512,7 @@ namespace vfife
     // 1. Loads, and how hubs are held that turn freely.
     StaticLoads loads    = options_.loads();
     HubRotation rotation = fem_.hold_hubs ? HubRotation::held : HubRotation::free;
-    if (model.transmission)
+    if (!model.transmissions.empty())
       {
         log.line("the members of the pair rotate independently, without contact and torque");
         loads.part_of_torques = 0;

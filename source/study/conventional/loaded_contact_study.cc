@@ -241,7 +241,7 @@ namespace vfife
       // under the torque. The secant leads from one to the other, the tangent is the slope under
       // load. Transmission error = theta_driven - (z_driver/z_driven) theta_driver: a lead is
       // counted from the kinematic turn, so of both angles only those at time zero remain.
-      const Transmission &t    = *model.transmission;
+      const Transmission &t    = *model.only_transmission();
       const auto          lead = [&](const double turn, const std::vector<double> &u) {
         return lead_of_driven(space, turn, u);
       };
@@ -309,7 +309,7 @@ namespace vfife
     if (needs_calibration(*pair_case_, model))
       calibrate_penalty(*pair_case_, compliance, log, model);
     log.line("penalty ", model.contacts.front().mean_penalty(), " N/mm^3");
-    const double                pitch     = 2 * pi / model.transmission->driver_teeth;
+    const double                pitch     = 2 * pi / model.only_transmission()->driver_teeth;
     const std::vector<Position> positions = list_positions();
     std::vector<double>         turns;
     for (const Position &position : positions)
@@ -470,7 +470,7 @@ namespace vfife
   {
     // [N mm/rad]; the slope is the change per unit of the load factor, so the whole torque belongs
     // to it.
-    const Transmission &t        = *model.transmission;
+    const Transmission &t        = *model.only_transmission();
     const double        torque   = load_torque(model);
     const double        unloaded = errors.unloaded, loaded = errors.loaded;
     const double        secant  = torque / std::abs(loaded - unloaded);

@@ -15,10 +15,7 @@ namespace vfife
     template <typename Sample>
     Table make_table_over_positions(const SampleColumns<Sample> &columns)
     {
-      Table table;
-      table.add_column(column::position, "mesh cycles");
-      columns.add_to(table);
-      return table;
+      return columns.make_table(column::position, "mesh cycles");
     }
   } // namespace
 

@@ -10,23 +10,6 @@
 
 namespace vfife
 {
-  namespace
-  {
-    template <typename Sample>
-    void add_rows(const SampleColumns<Sample> &columns,
-                  const double                 position,
-                  const std::vector<Sample>   &samples,
-                  Table                       &table)
-    {
-      for (const Sample &sample : samples)
-        {
-          std::vector<Table::Cell> row = columns.cells_of(sample);
-          row.insert(row.begin(), position);
-          table.add_row(row);
-        }
-    }
-  } // namespace
-
   LoadedFillets::LoadedFillets(const Model                         &model,
                                const FilletOptions                 &options,
                                std::unique_ptr<const RootSubmodels> submodels,
@@ -94,13 +77,15 @@ namespace vfife
       faces_ = std::make_unique<FilletFaces>(space, stress_.fillets());
     const FilletStrains strains =
       submodels_ ? follow(space, equilibrium, result, pressures) : faces_->of(result.displacements);
-    const std::vector<RootStressSample> samples = stress_.measure(position, result.teeth, strains);
-    add_rows(stress_columns_, position, samples, stresses_);
-    for (const RootStressSample &sample : samples)
-      if (RootExtreme &largest = largest_[sample.body];
-          !Fillet::is_at_hub(sample.fillet) && sample.tension.stress > largest.stress)
-        largest = sample.tension;
-    add_rows(gauge_columns_, position, stress_.read_gauges(position, true, strains), gauges_);
+    for (const RootStressSample &sample : stress_.measure(position, result.teeth, strains))
+      {
+        stresses_.add_row(stress_columns_.make_row(position, sample));
+        if (RootExtreme &largest = largest_[sample.body];
+            !Fillet::is_at_hub(sample.fillet) && sample.tension.stress > largest.stress)
+          largest = sample.tension;
+      }
+    for (const GaugeSample &sample : stress_.read_gauges(position, true, strains))
+      gauges_.add_row(gauge_columns_.make_row(position, sample));
   }
 
   void LoadedFillets::write(const OutputFolder &folder, Log &log) const

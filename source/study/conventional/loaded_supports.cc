@@ -24,16 +24,11 @@ namespace vfife
   {
     const auto columns = list_bearing_columns();
     for (std::size_t b = 0; b < model_.bearings.size(); ++b)
-      {
-        std::vector<Table::Cell> row =
-          columns.cells_of({model_.bearings[b].name, result.bearings[b]});
-        row.insert(row.begin(), position);
-        bearings_.add_row(row);
-      }
+      bearings_.add_row(columns.make_row(position, {model_.bearings[b].name, result.bearings[b]}));
     if (!PairMounting::changes(model_))
       return;
     // Nodes of a body where it has turned, displaced in its own axes.
-    const Transmission &t          = *model_.transmission;
+    const Transmission &t          = *model_.only_transmission();
     const auto          motions_of = [&](const double driven_turn, const std::vector<double> &u) {
       return [&, driven_turn](const unsigned int b, const BodyRing &ring) {
         const double       turn  = b == t.driven
@@ -50,12 +45,12 @@ namespace vfife
         });
       };
     };
-    const auto touching          = motions_of(result.touch_turn, result.touch_displacements),
-               loaded            = motions_of(result.turn, result.displacements);
-    std::vector<Table::Cell> row = list_mounting_columns().cells_of(mounting_.measure(loaded));
-    const SupportParts       parts =
+    const auto touching = motions_of(result.touch_turn, result.touch_displacements),
+               loaded   = motions_of(result.turn, result.displacements);
+    std::vector<Table::Cell> row =
+      list_mounting_columns().make_row(position, mounting_.measure(loaded));
+    const SupportParts parts =
       SupportLeads::find_parts(leads_.measure(touching), leads_.measure(loaded));
-    row.insert(row.begin(), position);
     row.push_back(parts.bearings / arcsecond);
     row.push_back(parts.bending / arcsecond);
     misalignments_.add_row(row);

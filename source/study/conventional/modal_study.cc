@@ -109,12 +109,14 @@ namespace vfife
     /** Speed of the pinion over that of a member of a pair; no number without a pair. */
     double find_pinion_ratio(const Model &model, const unsigned int body)
     {
-      if (!model.transmission)
-        return not_known;
-      const Transmission &t      = *model.transmission;
-      const unsigned int  teeth  = body == t.driven ? t.driven_teeth : t.driver_teeth;
-      const bool          drives = model.bodies[t.driver].name() == "pinion";
-      return double(teeth) / (drives ? t.driver_teeth : t.driven_teeth);
+      for (const Transmission &t : model.transmissions)
+        if (body == t.driver || body == t.driven)
+          {
+            const unsigned int teeth  = body == t.driven ? t.driven_teeth : t.driver_teeth;
+            const bool         drives = model.bodies[t.driver].name() == "pinion";
+            return double(teeth) / (drives ? t.driver_teeth : t.driven_teeth);
+          }
+      return not_known;
     }
   } // namespace
 

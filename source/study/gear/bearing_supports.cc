@@ -62,7 +62,7 @@ namespace vfife
 
   std::vector<LumpedSupport> find_bearing_supports(const Model &model)
   {
-    const Transmission         &t   = *model.transmission;
+    const Transmission         &t   = *model.only_transmission();
     const BearingSystem::Linear law = make_bearing_system(model).linearized();
     std::vector<LumpedSupport>  supports;
     for (unsigned int b = 0; b < model.bodies.size(); ++b)

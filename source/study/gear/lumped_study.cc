@@ -200,7 +200,7 @@ namespace vfife
         // What the section leaves open is taken of the bodies' meshes and the pair: zeros, a
         // negative backlash, a normal of no length.
         const Model         model = pair_case_->make_model(log);
-        const Transmission &t     = *model.transmission;
+        const Transmission &t     = *model.only_transmission();
         const auto          fill  = [](auto &value, const auto known) {
           if (!(value > 0))
             value = known;

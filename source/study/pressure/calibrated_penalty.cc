@@ -95,7 +95,7 @@ namespace vfife
                                          FacetsPassed       *passed,
                                          PenaltyCalibration *calibration)
     {
-      const std::vector<double> turns = turns_over_mesh(*model.transmission);
+      const std::vector<double> turns = turns_over_mesh(*model.only_transmission());
       PairEquilibrium           equilibrium(model, compliance, turns);
       PairPressure              pressure(compliance,
                             choose_pressure_depth(0., model, the_case.hertz_contact()),
@@ -186,7 +186,7 @@ namespace vfife
   std::vector<double>
   find_static_errors(Compliance &compliance, const Model &model, const unsigned int every)
   {
-    const std::vector<double> turns = turns_over_mesh(*model.transmission);
+    const std::vector<double> turns = turns_over_mesh(*model.only_transmission());
     PairEquilibrium           equilibrium(model, compliance, turns);
     std::vector<double>       errors;
     for (std::size_t i = 0; i < turns.size(); i += every)
@@ -196,7 +196,8 @@ namespace vfife
 
   bool needs_calibration(const PairCase &the_case, const Model &model)
   {
-    return model.transmission && !model.contacts.empty() && the_case.leaves_penalty_open() &&
+    return !model.transmissions.empty() && !model.contacts.empty() &&
+           the_case.leaves_penalty_open() &&
            model.contacts.front().options.discretization == ContactDiscretization::surface_points &&
            load_torque(model) > 0;
   }

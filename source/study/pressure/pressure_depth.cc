@@ -12,7 +12,7 @@ namespace vfife
   {
     // doc/theory/pressure-grid.md: below three half widths the mesh does not
     // see what is left.
-    const double force = std::abs(load_torque(model)) / model.transmission->arm;
+    const double force = std::abs(load_torque(model)) / model.only_transmission()->arm;
     return given > 0 ? given : 3. * hertz.semi_axes(force)[1];
   }
 } // namespace vfife

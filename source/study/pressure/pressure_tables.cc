@@ -123,7 +123,7 @@ namespace vfife
     };
     // A tooth of the driver that is ahead in its sense has been where tooth 0, in the middle of its
     // mesh at position 0, is now.
-    const Transmission &t     = *model_.transmission;
+    const Transmission &t     = *model_.only_transmission();
     const double        z     = t.driver_teeth;
     const double        after = position.position + t.driver_sense * tooth.slave_group;
     const std::size_t   most  = grid.largest();

@@ -56,7 +56,7 @@ namespace vfife
   void
   check_pressures(const InstantOptions &options, const FemOptions &elements, const PairRun &run)
   {
-    options.find_times(*run.model.transmission, run.end_time);
+    options.find_times(*run.model.only_transmission(), run.end_time);
     InstantPressure::check(run.model,
                            elements,
                            choose_pressure_depth(options.depth, run.model, run.hertz));
@@ -68,7 +68,7 @@ namespace vfife
                                  const PairRun        &run,
                                  FlankReader           read_flanks,
                                  Log                  &log)
-    : times_(options.find_times(*run.model.transmission, run.end_time))
+    : times_(options.find_times(*run.model.only_transmission(), run.end_time))
     , read_flanks_(std::move(read_flanks))
     , log_(log)
     , pressure_(run.model,
@@ -97,7 +97,7 @@ namespace vfife
       ++done_;
     const auto                       start = WallClock::now();
     const std::vector<ToothPressure> teeth = find_pressures(model, state);
-    const double                     at    = model.transmission->meshes(state.time);
+    const double                     at    = model.only_transmission()->meshes(state.time);
     tables_.add({at, state.measured.transmission_error / arcsecond, state.time}, teeth);
     teeth_file_.append_new_rows(tables_.teeth());
     cells_file_.append_new_rows(tables_.cells());
@@ -133,7 +133,7 @@ namespace vfife
         catch (const NumericalError &error)
           {
             log_.warning("no pressure on its own grid after ",
-                         model.transmission->meshes(state.time),
+                         model.only_transmission()->meshes(state.time),
                          " mesh cycles, teeth ",
                          tooth.slave_group,
                          " and ",

@@ -162,7 +162,8 @@ namespace vfife
     , places_(places)
     , pair_(pair)
     , near_cutoff_(setup_.cutoff)
-    , slow_mesh_(model.transmission->driven_sense * pair.sector_sense(model.transmission->driven))
+    , slow_mesh_(model.only_transmission()->driven_sense *
+                 pair.sector_sense(model.only_transmission()->driven))
     , resonance_(make_resonance_response_table())
     , waves_(make_wave_response_table())
     , stresses_(make_stress_response_table())
@@ -171,7 +172,7 @@ namespace vfife
 
   double PairSpeedSweep::mesh_frequency_at(const double speed) const
   {
-    return speed * model_.transmission->driver_teeth / (2. * pi);
+    return speed * model_.only_transmission()->driver_teeth / (2. * pi);
   }
 
   unsigned int PairSpeedSweep::set_speed(const double speed)
@@ -198,7 +199,7 @@ namespace vfife
     if (!(setup_.damping > 0))
       return; // nothing comes to rest
     const double step = slow_decay_times * 2. / setup_.damping;
-    pair_.set_speed(2. * pi / (model_.transmission->driver_teeth * slow_steps * step), step);
+    pair_.set_speed(2. * pi / (model_.only_transmission()->driver_teeth * slow_steps * step), step);
     pair_.start();
     for (unsigned int s = 1; s <= 2 * slow_steps; ++s)
       {
@@ -235,7 +236,7 @@ namespace vfife
     std::vector<std::vector<double>> at_rest;
     for (const double speed : speeds)
       at_rest.push_back(find_stresses_at_rest(speed));
-    const std::string wide = setup_.find_wide_steps(model_.transmission->driver_teeth);
+    const std::string wide = setup_.find_wide_steps(model_.only_transmission()->driver_teeth);
     if (!wide.empty())
       log.warning(wide);
     set_speed(speeds.front());
@@ -255,7 +256,7 @@ namespace vfife
   SpeedSample PairSpeedSweep::take_sample(State &state) const
   {
     pair_.measure(state);
-    const Transmission &t = *model_.transmission;
+    const Transmission &t = *model_.only_transmission();
     const Measurements &m = state.measured;
     // In turning axes a wave is Re(w exp(i n alpha)). What stands in space has w ~ exp(i n psi),
     // psi what the driven body has turned in the drive direction about the axis of its sectors.
@@ -282,7 +283,7 @@ namespace vfife
 
   void PairSpeedSweep::add_teeth(const State &state, Table &teeth) const
   {
-    const Transmission &t = *model_.transmission;
+    const Transmission &t = *model_.only_transmission();
     const double        meshes =
       (state.measured.driver_angle - t.driver_start) * t.driver_teeth / (2. * pi);
     for (const ToothContact &tooth : state.measured.teeth)
@@ -327,7 +328,7 @@ namespace vfife
       error /= arcsecond;
     near_cutoff_.look(
       errors, steps / stride, mesh_frequency_at(speed), rpm, found.pp_error / arcsecond);
-    add_response(direction, speed, model_.transmission->driver_teeth, found, resonance_);
+    add_response(direction, speed, model_.only_transmission()->driver_teeth, found, resonance_);
     std::vector<Table::Cell> row = {direction, rpm};
     for (unsigned int n = 1; n <= SpeedResponse::largest_wave; ++n)
       {

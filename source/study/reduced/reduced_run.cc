@@ -75,7 +75,7 @@ namespace vfife
 
   void ReducedRun::start_swing()
   {
-    const Transmission &t    = *model_.transmission;
+    const Transmission &t    = *model_.only_transmission();
     const double        step = state_.dt; // of the run; measure() sets that of the pair
     // As many positions as the start of an explicit run has.
     const std::size_t   n = turns_over_mesh(t).size();

@@ -275,9 +275,9 @@ namespace vfife
                             OutputFolder       &folder,
                             Log                &log) const
     {
-      const double dt    = motion.options.step;
-      RunTimes     times = plan_times(*pair_case_, dynamics_, output_, &*model.transmission, dt);
-      times.end          = std::llround(times.end / dt) * dt; // of its last step
+      const double dt = motion.options.step;
+      RunTimes times  = plan_times(*pair_case_, dynamics_, output_, model.only_transmission(), dt);
+      times.end       = std::llround(times.end / dt) * dt; // of its last step
       ReducedRun run(folder, log, model, pair, dt, output_, times);
       if (dynamics_.start == Start::steady_swing && !PairMounting::changes(model))
         run.start_swinging(dynamics_.mesh_damping);
@@ -305,7 +305,7 @@ namespace vfife
 
       const auto complete = [&] {
         recording.add_motion(run.preload());
-        tell_near_cutoff(history, *model.transmission, motion.cutoff, summary, log);
+        tell_near_cutoff(history, *model.only_transmission(), motion.cutoff, summary, log);
         recording.add_results(run.preload());
         if (summary.status != "failed")
           summary.figures.push_back(
@@ -361,7 +361,7 @@ namespace vfife
         {figure_name::degree_of_elements, {double(degree_of(fem().element)), "-"}});
       if (is_motion())
         {
-          const NamedFigures damping = list_damping(dynamics_, &*model.transmission, log);
+          const NamedFigures damping = list_damping(dynamics_, model.only_transmission(), log);
           at_start.insert(at_start.end(), damping.begin(), damping.end());
           run_lengths(
             *pair_case_,

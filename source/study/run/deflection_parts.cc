@@ -41,7 +41,7 @@ namespace vfife
   {
     // Mean over the flank around the contact: a patch of some elements, wide against the local
     // indentation and within a tooth, whatever the size of the gear.
-    const Transmission &t       = *model_.transmission;
+    const Transmission &t       = *model_.only_transmission();
     const double        width   = patch_width * 2 * pi * t.arm / t.driven_teeth; // [mm]
     const Body         &body    = model_.bodies[b];
     const Vector3      &contact = t.contact_point;
@@ -66,7 +66,7 @@ namespace vfife
 
   void DeflectionProbe::fit_rim(const State &state, Shape &shape) const
   {
-    const Transmission &t    = *model_.transmission;
+    const Transmission &t    = *model_.only_transmission();
     const Body         &body = model_.bodies[t.driven];
     // Least squares of u = shift + turn x r over the rim's masses: a symmetric 6 x 6 system.
     // With M = (1, e_x x r, e_y x r, e_z x r): sum m M^T M (shift, turn) = sum m M^T u, [mm],
@@ -102,7 +102,7 @@ namespace vfife
 
   DeflectionProbe::Shape DeflectionProbe::measure(State &state) const
   {
-    const Transmission &t = *model_.transmission;
+    const Transmission &t = *model_.only_transmission();
     // Leads of the driven member's bore and rim from the kinematic turn [rad], the rim's rigid
     // motion and the approach of the flanks, which the arm turns into an angle.
     TransmissionMeasurement(model_, *state.partition).measure(state, communicator_);
@@ -163,7 +163,7 @@ namespace vfife
 
   DeflectionParts DeflectionProbe::take_loaded(State &state)
   {
-    const Transmission &t      = *model_.transmission;
+    const Transmission &t      = *model_.only_transmission();
     const Axis         &axis   = model_.bodies[t.driven].axis;
     const Shape         loaded = measure(state);
 
@@ -193,10 +193,10 @@ namespace vfife
 
   RimBending::RimBending(const Model &model, const unsigned int largest)
     : model_(model)
-    , n_sectors_(model.bodies[model.transmission->driven].structure().n_sectors())
-    , largest_(std::min(largest, (model.transmission->driven_teeth - 1) / 2))
+    , n_sectors_(model.bodies[model.only_transmission()->driven].structure().n_sectors())
+    , largest_(std::min(largest, (model.only_transmission()->driven_teeth - 1) / 2))
   {
-    const Transmission &t    = *model.transmission;
+    const Transmission &t    = *model.only_transmission();
     const Body         &body = model.bodies[t.driven];
     if (n_sectors_ != t.driven_teeth)
       return;
@@ -224,7 +224,7 @@ namespace vfife
     using Matrix6 = Eigen::Matrix<double, 6, 6>;
     if (sectors_.empty())
       return Vector3::Zero();
-    const Transmission &t    = *model_.transmission;
+    const Transmission &t    = *model_.only_transmission();
     const Body         &body = model_.bodies[t.driven];
     // Sectors follow each other in the sense of the body's axis of rotation or against it.
     const double alpha = compute_sector_sense(body) * 2. * pi / n_sectors_;

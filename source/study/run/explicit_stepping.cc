@@ -40,13 +40,13 @@ namespace vfife
                                     const double           dt,
                                     const DynamicsOptions &dynamics)
   {
-    auto fields = std::make_unique<FieldWriter>(
-      folder_,
-      model_,
-      output.field_format,
-      output.compute_field_steps(model_.transmission ? &*model_.transmission : nullptr, dt),
-      dynamics.stiffness,
-      dynamics.frame);
+    auto fields =
+      std::make_unique<FieldWriter>(folder_,
+                                    model_,
+                                    output.field_format,
+                                    output.compute_field_steps(model_.only_transmission(), dt),
+                                    dynamics.stiffness,
+                                    dynamics.frame);
     // Kept beside the list of observers: a signal may ask it for a file.
     fields_ = fields.get();
     observers_.list().push_back(std::move(fields));

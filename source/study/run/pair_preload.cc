@@ -154,7 +154,7 @@ namespace vfife
       return {};
     const SwingMotion swing = find_steady_swing(factors->static_errors(),
                                                 preload_.swing,
-                                                model_.transmission->mesh_frequency(),
+                                                model_.only_transmission()->mesh_frequency(),
                                                 options_.mesh_damping,
                                                 torque);
     log_.line("  the torsional oscillation starts in its steady state: transmission error ",
@@ -179,7 +179,7 @@ namespace vfife
         relax("touching", touching);
         return;
       }
-    const Transmission &t = *model_.transmission;
+    const Transmission &t = *model_.only_transmission();
     // The pattern follows from the shape and its forces of inertia change the shape: in turn.
     for (unsigned int round = 0; round < pattern_rounds; ++round)
       {
@@ -246,7 +246,7 @@ namespace vfife
     log_.line("torsional natural frequency of the driven member about ",
               preload_.swing.frequency(),
               " Hz, ",
-              model_.transmission->mesh_frequency() / preload_.swing.frequency(),
+              model_.only_transmission()->mesh_frequency() / preload_.swing.frequency(),
               " mesh cycles per period: stiffness ",
               1e-3 * preload_.swing.stiffness,
               " N m/rad, inertia of the torsional mode ",

@@ -81,7 +81,7 @@ namespace vfife
   std::vector<ProbeRecord> PairProbes::judge(const double time, const Table &rows) const
   {
     std::vector<ProbeRecord> records;
-    const Transmission      &pair = *model_.transmission;
+    const Transmission      &pair = *model_.only_transmission();
     for (const Probe &probe : model_.probes)
       {
         std::vector<double> times, stresses;

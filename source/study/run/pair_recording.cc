@@ -52,7 +52,7 @@ namespace vfife
     , copies_(stepping.model(),
               readings_.probes,
               log_,
-              count_meshes(*model_.transmission, times_.whole))
+              count_meshes(*model_.only_transmission(), times_.whole))
   {
     const std::uint64_t steps = times_.sample_steps;
     teeth_                    = &observers_.add<TeethWriter>(model_, steps, hertz_).table();
@@ -131,7 +131,7 @@ namespace vfife
   NamedFigures PairRecording::list_figures() const
   {
     // Of the case, not of its motion: known before the first step, and stated after a failure too.
-    const Transmission &t      = *model_.transmission;
+    const Transmission &t      = *model_.only_transmission();
     const double        torque = load_torque(model_);
     // What changes in the run has no single number: it is stated for the start, by another name.
     const std::string speed_when  = t.has_constant_rate() ? "" : " at the start",
@@ -174,7 +174,7 @@ namespace vfife
     write_edge_contact(case_.edges_under_load(),
                        *teeth_,
                        column::time,
-                       1. / model_.transmission->mesh_frequency(),
+                       1. / model_.only_transmission()->mesh_frequency(),
                        stepping_.folder(),
                        log_);
     summary_.probes = copies_.judge(stepping_.state().time, *probes_);
@@ -182,7 +182,7 @@ namespace vfife
 
   void PairRecording::write_orders() const
   {
-    const Transmission &t      = *model_.transmission;
+    const Transmission &t      = *model_.only_transmission();
     const unsigned int  orders = output_.count_tracked_orders();
     // A run that has failed may have too few samples.
     if (t.has_constant_rate() || orders == 0 || history_.n_rows() < 4)
@@ -201,7 +201,7 @@ namespace vfife
 
   double PairRecording::last_mesh() const
   {
-    const Transmission &pair = *model_.transmission;
+    const Transmission &pair = *model_.only_transmission();
     return std::max(0.,
                     pair.has_constant_rate() ? times_.end - 1. / pair.mesh_frequency()
                                              : pair.time_of(pair.meshes(times_.end) - 1.));
@@ -216,7 +216,7 @@ namespace vfife
 
   void PairRecording::find_steady(const double swing_frequency)
   {
-    if (!model_.transmission->has_constant_rate() || !has_constant_torque())
+    if (!model_.only_transmission()->has_constant_rate() || !has_constant_torque())
       {
         log_.line("no search for a steady part: speed or torque changes during the run");
         return;
@@ -226,11 +226,11 @@ namespace vfife
       ramp_end = std::max(ramp_end, torque.ramp_time);
     // Means are compared over swing periods, here in mesh cycles: f_mesh/f_swing. Under a growing
     // torque nothing is steady.
-    const double period = model_.transmission->mesh_frequency() / swing_frequency;
+    const double period = model_.only_transmission()->mesh_frequency() / swing_frequency;
     summary_.steady     = find_steady_part(history_, output_.history_every, period, ramp_end);
     log_.line(summary_.steady->explain());
     const unsigned int needed =
-      count_steady_meshes(model_.transmission->mesh_frequency(), period, dynamics_);
+      count_steady_meshes(model_.only_transmission()->mesh_frequency(), period, dynamics_);
     if (needed > 0)
       {
         summary_.figures.push_back({figure_name::steady_meshes, {double(needed), "-"}});

@@ -167,7 +167,7 @@ namespace vfife
   Matrix3 PairStart::rotation(const unsigned int body) const
   {
     return rotation_about(model_.bodies[body].axis.direction,
-                          body == model_.transmission->driven ? turn_ : 0.);
+                          body == model_.only_transmission()->driven ? turn_ : 0.);
   }
 
   std::vector<double> PairStart::gather(const State &state, const NodeVector &vector) const
@@ -205,7 +205,7 @@ namespace vfife
   double PairStart::moment(const State &state, const NodeField &forces) const
   {
     // a . sum (x - c) x f over the driven body [N mm]. Collective.
-    const unsigned int driven = model_.transmission->driven;
+    const unsigned int driven = model_.only_transmission()->driven;
     const Axis        &axis   = model_.bodies[driven].axis;
     double             sum    = 0;
     for (const std::uint32_t i : state.partition->owned_nodes(driven))

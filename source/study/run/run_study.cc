@@ -50,13 +50,7 @@ namespace vfife
       for (const Body &body : model.bodies)
         elements += body.n_elements();
       return elements > first_elements ||
-             count_meshes(*model.transmission, end_time) > first_meshes;
-    }
-
-    /** nullptr without a gear pair. */
-    const Transmission *transmission_of(const Model &model)
-    {
-      return model.transmission ? &*model.transmission : nullptr;
+             count_meshes(*model.only_transmission(), end_time) > first_meshes;
     }
 
     /** Strains of fillets from where nodes are. */
@@ -216,7 +210,7 @@ namespace vfife
     if (!lengths.empty())
       case_->set_length(lengths.front());
     const Model model = make_model(log);
-    if (model.transmission)
+    if (!model.transmissions.empty())
       RootStress(model, fillets_);
     if (instants_.asked_for())
       check_pressures(instants_, fem(), describe_run(*case_->pair(), model, case_->end_time()));
@@ -240,7 +234,7 @@ namespace vfife
              communicator.size(),
              communicator.size() == 1 ? " rank" : " ranks",
              dynamics_.start == Start::undeformed ? "" : ", plus the equilibrium before the start");
-    if (model.transmission && run_time > long_wait && is_large(model, case_->end_time()))
+    if (!model.transmissions.empty() && run_time > long_wait && is_large(model, case_->end_time()))
       log.line("for a shorter run set Gear pair/mesh = coarse, Operation/mesh cycles = 14");
     report_contradictions(model, stepped, run_time, log);
   }
@@ -260,7 +254,7 @@ namespace vfife
     const auto submodels =
       pair != nullptr ? make_root_submodels(*pair, fillets_, model, log) : nullptr;
 
-    const Transmission *transmission = transmission_of(model);
+    const Transmission *transmission = model.only_transmission();
     const RunTimes      times = plan_times(*case_, dynamics_, output_, transmission, stepped.dt);
     const auto          start = make_start(
       model, dynamics_, stepped.solver, std::move(settled.compliance), communicator, log);

@@ -64,7 +64,7 @@ namespace vfife
   {
     if (options.start == Start::undeformed)
       return std::make_unique<UndeformedStart>();
-    if (model.transmission)
+    if (!model.transmissions.empty())
       return std::make_unique<PreloadedPair>(
         model, options, solver, std::move(compliance), communicator, log);
     return std::make_unique<RelaxedStart>(model, options, solver, communicator, log);

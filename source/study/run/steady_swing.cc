@@ -72,12 +72,12 @@ namespace vfife
                              RunSummary  &summary,
                              Log         &log)
   {
-    if (!model.transmission || model.contacts.empty() || !(swing.frequency() > 0))
+    if (model.transmissions.empty() || model.contacts.empty() || !(swing.frequency() > 0))
       return;
     const std::vector<double> &errors = model.contacts.front().spring_errors;
     if (errors.empty())
       return;
-    const Transmission       &t = *model.transmission;
+    const Transmission       &t = *model.only_transmission();
     const std::vector<double> moving =
       find_swing_errors(errors, swing, t.mesh_frequency(), mesh_damping);
     std::vector<double> forces;

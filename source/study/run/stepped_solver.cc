@@ -72,7 +72,7 @@ namespace vfife
     , dt(choose_step(solver.stable_step()))
   {
     // Pairs of gears are made to fit.
-    if (!model.transmission)
+    if (model.transmissions.empty())
       check_start(model, log);
     solver.set_step(dt);
   }
@@ -92,10 +92,10 @@ namespace vfife
              ") mm of its body frame; the step is ",
              1e9 * dt,
              " ns");
-    if (model.transmission)
-      log.line(std::lround(1. / (model.transmission->largest_mesh_frequency() * dt)),
+    for (const Transmission &t : model.transmissions)
+      log.line(std::lround(1. / (t.largest_mesh_frequency() * dt)),
                " steps per mesh cycle",
-               model.transmission->has_constant_rate() ? "" : " at the largest speed");
+               t.has_constant_rate() ? "" : " at the largest speed");
     // What the mesh would allow without its worst elements: whether a few of them cost all the
     // time.
     const auto without = [&](const int n) { return 1e9 * vfife.stable_step_without(n); };

@@ -58,7 +58,7 @@ namespace vfife
   }
 
   StressWavePlaces::StressWavePlaces(const Model &model, const RootStress *const roots)
-    : driven_(model.transmission->driven)
+    : driven_(model.only_transmission()->driven)
     , structure_(model.bodies[driven_].structure())
   {
     for (const Probe &probe : model.probes)

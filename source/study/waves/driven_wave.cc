@@ -26,7 +26,7 @@ namespace vfife
 
   const ReducedBody &WaveDriver::body() const
   {
-    return pair_.body(model_.transmission->driven);
+    return pair_.body(model_.only_transmission()->driven);
   }
 
   Eigen::RowVectorXcd WaveDriver::rim_gains(const unsigned int diameters) const
@@ -53,16 +53,16 @@ namespace vfife
 
   WaveMotion WaveDriver::drive(const WaveMeeting &meeting, const WaveSchedule &schedule)
   {
-    const unsigned int n = meeting.wave.diameters, driven = model_.transmission->driven;
+    const unsigned int n = meeting.wave.diameters, driven = model_.only_transmission()->driven;
     const std::size_t  harmonic = find_harmonic(body(), n);
     const ProbeMeasure probes   = [this](const std::vector<Probe> &copies) {
       return pair_.measure_probes(copies);
     };
     const FilletMeasure measure_fillets = measure_fillet_readings(pair_);
-    WaveRecord          record(meeting, *model_.transmission, schedule);
+    WaveRecord          record(meeting, *model_.only_transmission(), schedule);
     pair_.set_speed(schedule.speed,
                     2. * pi /
-                      (schedule.speed * model_.transmission->driver_teeth * schedule.steps));
+                      (schedule.speed * model_.only_transmission()->driver_teeth * schedule.steps));
     pair_.start();
     const FilletStrains at_rest       = measure_fillets(State());
     std::vector<double> static_stress = places_.measure_largest(probes, &at_rest);

@@ -186,7 +186,7 @@ namespace vfife
     require_samples(rim, n_samples + 1);
     require_samples(history, n_samples + 1);
 
-    WaveRecord           record(meeting, *model_.transmission, schedule);
+    WaveRecord           record(meeting, *model_.only_transmission(), schedule);
     std::vector<Complex> turned;
     for (std::size_t k = 1; k <= n_samples; ++k)
       {

@@ -92,7 +92,7 @@ namespace vfife
         const Model model = pair_case_->make_model(log);
         check_diameters(model);
         log.line("waves of the ",
-                 model.bodies[model.transmission->driven].name(),
+                 model.bodies[model.only_transmission()->driven].name(),
                  " with modes below ",
                  least_cutoff(),
                  " Hz");
@@ -143,8 +143,8 @@ namespace vfife
       {
         const double       faster     = options_.highest_speed / pair_case_->operation().speed;
         const MoreReadings of_fillets = [&](const unsigned int b) {
-          return b == model.transmission->driven ? list_fillet_readings(model, *roots, b)
-                                                 : std::vector<SectorReading>();
+          return b == model.only_transmission()->driven ? list_fillet_readings(model, *roots, b)
+                                                        : std::vector<SectorReading>();
         };
         return reduce_pair(model,
                            reduced_,
@@ -246,15 +246,15 @@ namespace vfife
             ReducedPair                    &pair)
         : driver(model, pair, places)
         , passage(model, pair, n_steps)
-        , linear(bodies[model.transmission->driven],
+        , linear(bodies[model.only_transmission()->driven],
                  passage,
                  {options.damping, options.mesh_damping},
-                 pair.sector_sense(model.transmission->driven),
-                 model.transmission->driven_sense)
+                 pair.sector_sense(model.only_transmission()->driven),
+                 model.only_transmission()->driven_sense)
         , theory(waves,
-                 *model.transmission,
-                 model.bodies[model.transmission->driven].rate < 0 ? -1. : 1.,
-                 model.transmission->driver_rate,
+                 *model.only_transmission(),
+                 model.bodies[model.only_transmission()->driven].rate < 0 ? -1. : 1.,
+                 model.only_transmission()->driver_rate,
                  linear,
                  driver)
         , cutoff(find_kept_cutoff(bodies))
@@ -323,7 +323,7 @@ namespace vfife
       summary.contradictions = pair_case_->report_checks({&model, &dynamics_, &output_}, log);
       summary.cause          = pair_case_->find_cause();
 
-      require_waves(bodies[model.transmission->driven]);
+      require_waves(bodies[model.only_transmission()->driven]);
       std::vector<WaveLine>      lines;
       std::optional<NearestWave> nearest;
       try

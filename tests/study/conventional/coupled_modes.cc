@@ -53,7 +53,7 @@ namespace
     const CoupledModes modes =
       find_coupled_modes(compliance, fem, false, at_rest.ties, {}, 3, world);
 
-    const Transmission &t = *model.transmission;
+    const Transmission &t = *model.only_transmission();
     const double        turn =
       at_rest.turn_slope +
       mean_rotation(compliance.space(), t.driven, t.driven_bore, at_rest.displacement_slope);
@@ -96,7 +96,7 @@ namespace
 
     fem.n_modes               = 9;
     fem.coriolis              = true;
-    const unsigned int driven = model.transmission->driven;
+    const unsigned int driven = model.only_transmission()->driven;
     const double       rate   = model.bodies[driven].rate;
     const RotatingBody body(model, driven, fem, world);
     unsigned int       compared = 0;
@@ -147,7 +147,7 @@ namespace
     const Model  model =
       make_model("set body type = rim only", "set elements through rim = 2", "", world);
     const double inertia =
-      1e-3 * model.bodies[model.transmission->driven].axial_inertia(); // [kg m^2]
+      1e-3 * model.bodies[model.only_transmission()->driven].axial_inertia(); // [kg m^2]
     double shares = 0, apart = 1;
     for (std::size_t i = 0; i < 4; ++i)
       {

@@ -221,7 +221,7 @@ subsection Model
   void check_spun_gear(Communicator &world)
   {
     const Model   model = make_gear_model("linear_pair_case.prm", world);
-    const Body   &gear  = model.bodies[model.transmission->driven];
+    const Body   &gear  = model.bodies[model.only_transmission()->driven];
     const VtuFile fields("linear_pair/fields/gear.vtu");
     // Points of a file are the nodes.
     double places = 0;
@@ -273,7 +273,7 @@ subsection Model
         const Vector3 axes[]  = {r, z.cross(r), z};
         const char   *along[] = {"r", "theta", "z"};
         check("probe " + names[p] + ": on the gear",
-              names[p] == probe.name && probe.body == model.transmission->driven);
+              names[p] == probe.name && probe.body == model.only_transmission()->driven);
         for (unsigned int c = 0; c < 3; ++c)
           {
             of_displacement =

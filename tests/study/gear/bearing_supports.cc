@@ -62,10 +62,10 @@ namespace
               {"seat", b, ring, axes_along(body.axis.direction), law(along)});
         }
     Transmission t;
-    t.contact_point    = Vector3(40., 30., 70.);
-    t.contact_normal   = Vector3(2., -3., 6.) / 7.;
-    t.arm              = arm;
-    model.transmission = t;
+    t.contact_point     = Vector3(40., 30., 70.);
+    t.contact_normal    = Vector3(2., -3., 6.) / 7.;
+    t.arm               = arm;
+    model.transmissions = {t};
     return model;
   }
 
@@ -102,7 +102,7 @@ namespace
 
     // What a force F n at the contact point moves there along n, over F: shift, and tilt about the
     // centre of mass.
-    const Transmission &t = *model.transmission;
+    const Transmission &t = *model.only_transmission();
     const Vector3       a = gear.axis.direction;
     const Vector3       r = t.contact_point - (gear.axis.point + .5 * length * a),
                   moment  = r.cross(t.contact_normal);
@@ -125,10 +125,10 @@ namespace
     check("five motions of each member", supports.size() == 10);
     check("none with ideal bores",
           find_bearing_supports(make_pair({{false, false}}, axial)).empty());
-    // Model::transmission has the gear driven: what moves the pinion along n opens the gap.
+    // The transmission has the gear driven: what moves the pinion along n opens the gap.
     const auto opposite = [&](const unsigned int b) {
       Model model = make_pair({{b == 0, b == 1}}, axial);
-      std::swap(model.transmission->driver, model.transmission->driven);
+      std::swap(model.transmissions.front().driver, model.transmissions.front().driven);
       const auto swapped = find_bearing_supports(model),
                  own     = find_bearing_supports(make_pair({{b == 0, b == 1}}, axial));
       double difference  = 0;

@@ -178,6 +178,13 @@ end
 
   void materials(Communicator &world)
   {
+    // A name without a section would be the default steel.
+    refuse(write_case(""),
+           world,
+           {"Gear pair/Pinion/material=bronze",
+            "Gear pair/Gear/material=bronz",
+            "Material bronze/density=8.8 g/cm^3"});
+    refuse(write_model("set material = stel"), world);
     // Lead, rubber, beryllium, tungsten, foam, cork, diamond; then what no solid has.
     for (const char *solid :
          {"11340 16000", "1100 1", "1850 303000", "19300 411000", "20 5", "200 20", "3515 1.2e6"})

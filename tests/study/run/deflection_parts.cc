@@ -53,10 +53,10 @@ namespace
       if (driven.node_positions()[i].head<2>().norm() > 33. * scale)
         t.driven_rim.push_back(i);
     // Neither point, normal nor arm belong together: each is seen for itself.
-    t.contact_point    = driven.placement(scale * Vector3(28., 28., 7.));
-    t.contact_normal   = Vector3(2., -3., 6.) / 7.;
-    t.arm              = scale * arm;
-    model.transmission = t;
+    t.contact_point     = driven.placement(scale * Vector3(28., 28., 7.));
+    t.contact_normal    = Vector3(2., -3., 6.) / 7.;
+    t.arm               = scale * arm;
+    model.transmissions = {t};
     ContactPair pair;
     pair.slave_body     = t.driver;
     pair.slave_surface  = "outer";
@@ -77,7 +77,7 @@ namespace
 
   State move(const Model &model, const Imposed &imposed, const double scale = 1.)
   {
-    const Body &driven = model.bodies[model.transmission->driven];
+    const Body &driven = model.bodies[model.only_transmission()->driven];
     return made_state(model, [&](const Body &body, const unsigned int i, const Vector3 &start) {
       if (&body != &driven)
         return Vector3(start + imposed.driver_shift);
@@ -95,7 +95,7 @@ namespace
       {
         const std::string   name  = sense > 0 ? "sense +: " : "sense -: ";
         const Model         model = make_pair(1., sense);
-        const Transmission &t     = *model.transmission;
+        const Transmission &t     = *model.only_transmission();
         const Vector3      &a = model.bodies[t.driven].axis.direction, &n = t.contact_normal;
         Communicator        self(MPI_COMM_SELF);
         DeflectionProbe     probe(model, self);
@@ -143,10 +143,10 @@ namespace
    * teeth. */
   void rim_bending()
   {
-    Model model                      = make_pair(1., 1.);
-    model.transmission->driven_teeth = 48;
-    const Transmission &t            = *model.transmission;
-    const Body         &driven       = model.bodies[t.driven];
+    Model model                              = make_pair(1., 1.);
+    model.transmissions.front().driven_teeth = 48;
+    const Transmission &t                    = *model.only_transmission();
+    const Body         &driven               = model.bodies[t.driven];
     Communicator        self(MPI_COMM_SELF);
     constexpr double    amplitude = 1e-3, phase = .7, contact = pi / 4;
     for (const unsigned int waves : {0u, 1u, 2u, 3u, 8u, 9u})
@@ -188,7 +188,7 @@ namespace
   void supports()
   {
     Model         model = make_pair(1., 1.);
-    Transmission &t     = *model.transmission;
+    Transmission &t     = model.transmissions.front();
     t.driver_bore       = model.bodies[t.driver].node_set("outer");
     Vector5 stiffness;
     stiffness << 3e4, 3e4, 2e4, 0., 0.;
@@ -290,7 +290,7 @@ namespace
   void patch()
   {
     const Model         model = make_pair(1., 1.);
-    const Transmission &t     = *model.transmission;
+    const Transmission &t     = *model.only_transmission();
     const Body         &gear  = model.bodies[t.driven];
     // A linear field's mean is its value at the mean place. 0.42 of the distance 2 pi p/z at which
     // flanks follow each other along the normal.
@@ -379,7 +379,7 @@ namespace
     t.driver_teeth             = 1;
     t.driven_teeth             = 1;
     t.driven_sense             = 1;
-    model.transmission         = t;
+    model.transmissions        = {t};
     ContactPair pair           = contact_of("face", "z-", "z+", ContactSurfaceKind::flat_facets);
     pair.options.penalty.value = eps;
     model.contacts.push_back(pair);

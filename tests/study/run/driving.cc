@@ -45,7 +45,7 @@ namespace
     Log                 log(text, true, Verbosity::quiet);
     const Model         model = gear_case.make_model(log);
     const GearPair      pair  = gear_case.make_pair();
-    const Transmission &t     = *model.transmission;
+    const Transmission &t     = *model.only_transmission();
     const ContactPair  &first = model.contacts.front();
 
     check(name + ": side", first.side == side_name(side) && gear_case.working_side() == side);

@@ -33,7 +33,7 @@ namespace
    * [t mm^2/s]. */
   double angular_momentum(const Model &model, const State &state)
   {
-    const unsigned int driven  = model.transmission->driven;
+    const unsigned int driven  = model.only_transmission()->driven;
     const Body        &body    = model.bodies[driven];
     double             inertia = 0;
     for (unsigned int i = 0; i < body.n_nodes(); ++i)
@@ -42,7 +42,7 @@ namespace
           state.node_position(state.partition->local_node[body.first_node + i]) - body.axis.point;
         inertia += body.node_masses()[i] * body.axis.direction.cross(r).squaredNorm();
       }
-    return model.transmission->driven_sense * inertia * state.measured.body_rates[driven];
+    return model.only_transmission()->driven_sense * inertia * state.measured.body_rates[driven];
   }
 
   /** Over two thirds of a mesh, on the ramp and behind it, step by step: what the contact's torque

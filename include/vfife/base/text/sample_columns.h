@@ -46,6 +46,23 @@ namespace vfife
           table.add_column(column.name, column.unit);
     }
 
+    /** An empty table of these columns behind one of numbers, such as times. */
+    Table make_table(const std::string &first, const std::string &unit) const
+    {
+      Table table;
+      table.add_column(first, unit);
+      add_to(table);
+      return table;
+    }
+
+    /** A row of that table. */
+    std::vector<Table::Cell> make_row(const double first, const Sample &sample) const
+    {
+      std::vector<Table::Cell> row = cells_of(sample);
+      row.insert(row.begin(), first);
+      return row;
+    }
+
     /** What a sample has in these columns. */
     std::vector<Table::Cell> cells_of(const Sample &sample) const
     {

@@ -33,6 +33,10 @@ namespace vfife
     fillet
   };
 
+  /** Distances of cone coordinates (L, h) inside a flank from its edges toe, heel, tip; negative
+   * beyond them [mm]. */
+  std::array<double, 3> edge_distances(const Blank &blank, const Vector2 &L_h);
+
   /** Distances of a point inside a flank from its borders, in the order of FlankBorder; negative
    * beyond them [mm]. */
   std::array<double, 4> border_distances(const Blank          &blank,

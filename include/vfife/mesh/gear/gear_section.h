@@ -67,6 +67,9 @@ namespace vfife
                                                  double              grading = 1.,
                                                  double fillet_corner = default_fillet_corner);
 
+  /** (h, angle) of a position; of all polar angles the one nearest to @p near_angle. */
+  Vector2 section_coordinates(const BlankOutline &blank, const Vector3 &x, double near_angle);
+
   /** Position of a point (L, h) at polar angle @p angle [mm]. */
   Vector3 position_of(const BlankOutline &blank, double L, double h, double angle);
 } // namespace vfife

@@ -2,6 +2,7 @@
 #ifndef vfife_model_options_model_options_h
 #define vfife_model_options_model_options_h
 
+#include <vfife/element/material_sections.h>
 #include <vfife/model/options/body_options.h>
 #include <vfife/model/options/constraint_options.h>
 #include <vfife/model/options/contact_pair_options.h>
@@ -52,10 +53,11 @@ namespace vfife
     template <typename Options>
     using Named = std::vector<std::pair<std::string, Options>>;
 
-    void            declare_names_of_parts(dealii::ParameterHandler &prm);
-    void            declare_kinds(dealii::ParameterHandler &prm);
-    void            declare_materials(dealii::ParameterHandler &prm);
-    const Material &material(const std::string &name) const;
+    void declare_names_of_parts(dealii::ParameterHandler &prm);
+    void declare_kinds(dealii::ParameterHandler &prm);
+    void declare_materials(dealii::ParameterHandler &prm, const ParameterFile &file);
+    /** Those that a body names. */
+    std::vector<Material> materials_of(const std::pair<std::string, BodyOptions> &body) const;
 
     std::vector<std::string> body_names_, constraint_names_, load_names_, contact_names_,
       probe_names_;
@@ -64,7 +66,7 @@ namespace vfife
     Named<LoadOptions>        loads_;
     Named<ContactPairOptions> contacts_;
     Named<ProbeOptions>       probes_;
-    std::vector<Material>     materials_;
+    MaterialSections          materials_;
   };
 } // namespace vfife
 

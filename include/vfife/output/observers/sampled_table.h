@@ -73,7 +73,7 @@ namespace vfife
       : name_(name)
       , steps_between_(steps_between)
       , columns_(columns)
-      , table_(make_table(columns))
+      , table_(columns.make_table(column::time, "s"))
       , file_(folder, name, table_)
     {
     }
@@ -81,20 +81,10 @@ namespace vfife
     /** One sample of the state. */
     void add_row(const State &state, const Sample &sample)
     {
-      std::vector<Table::Cell> row = columns_.cells_of(sample);
-      row.insert(row.begin(), state.time);
-      table_.add_row(row);
+      table_.add_row(columns_.make_row(state.time, sample));
     }
 
   private:
-    static Table make_table(const SampleColumns<Sample> &columns)
-    {
-      Table table;
-      table.add_column(column::time, "s");
-      columns.add_to(table);
-      return table;
-    }
-
     /** Calls add_row() for each sample of a state that is due; on all ranks. */
     virtual void add_rows(const Model &model, const State &state) = 0;
 

@@ -3,6 +3,7 @@
 #define vfife_study_cases_gear_case_h
 
 #include <vfife/base/text/table.h>
+#include <vfife/element/material_sections.h>
 #include <vfife/mesh/gear/gear_body.h>
 #include <vfife/study/cases/pair_case.h>
 #include <vfife/study/cases/shaft_supports.h>
@@ -118,7 +119,7 @@ namespace vfife
     /** Throws InputError for shafts that do not go with their bodies or with what holds them. */
     void            check_shafts() const;
     void            check_surface_layers() const;
-    const Material &material(const std::string &name) const;
+    const Material &material_of(unsigned int body) const;
     /** E* of both members [MPa]. */
     double       pair_modulus() const;
     Transmission make_transmission(const GearPair &pair) const;
@@ -142,7 +143,7 @@ namespace vfife
     GearPairOptions       pair_;
     std::array<Member, 2> members_; ///< by body
     std::string           housing_; ///< file of its stiffness; empty: rigid
-    std::vector<Material> materials_;
+    MaterialSections      materials_;
     OperationOptions      operation_;
     ContactOptions        contact_;
     unsigned int          reference_degree_ = 2; ///< Contact/penalty elements
