@@ -97,18 +97,22 @@ namespace vfife
       return meshes;
     }
 
-    /** Part of the variance that repeats with the mesh: that of the mean mesh. Not known without
-     * meshes. */
-    double compute_periodic_share(const std::vector<Numbers> &meshes)
+    /** Mean of the meshes, of which there is one at least. */
+    Numbers find_mean_mesh(const std::vector<Numbers> &meshes)
     {
-      if (meshes.empty())
-        return not_known;
       Numbers mean_mesh(meshes.front().size(), 0.);
       for (const Numbers &mesh : meshes)
         for (std::size_t j = 0; j < mesh.size(); ++j)
           mean_mesh[j] += mesh[j] / meshes.size();
-      const double mean   = mean_of(mean_mesh);
-      double       square = 0, square_of_mesh = 0;
+      return mean_mesh;
+    }
+
+    /** Part of the variance that repeats with the mesh: that of the mean mesh. */
+    double compute_periodic_share(const std::vector<Numbers> &meshes)
+    {
+      const Numbers mean_mesh = find_mean_mesh(meshes);
+      const double  mean      = mean_of(mean_mesh);
+      double        square = 0, square_of_mesh = 0;
       for (const Numbers &mesh : meshes)
         for (std::size_t j = 0; j < mesh.size(); ++j)
           {
@@ -118,7 +122,7 @@ namespace vfife
       return square > 0 ? square_of_mesh / square : 1;
     }
 
-    /** Slope of the meshes' means by least squares, a mesh. Not known without meshes. */
+    /** Slope of the meshes' means by least squares, a mesh. */
     double compute_trend(const std::vector<Numbers> &meshes)
     {
       // About the middle number of a mesh the sum of the numbers is zero.
@@ -129,7 +133,18 @@ namespace vfife
           sum += number * mean_of(meshes[m]);
           square += number * number;
         }
-      return meshes.empty() ? not_known : sum / square;
+      return sum / square;
+    }
+
+    /** A value that needs the mesh: not known without two of them. */
+    double compute_value_of_meshes(const FigureValue value, const std::vector<Numbers> &meshes)
+    {
+      if (meshes.empty())
+        return not_known;
+      if (value == FigureValue::trend)
+        return compute_trend(meshes);
+      return value == FigureValue::periodic_peak_to_peak ? peak_to_peak_of(find_mean_mesh(meshes))
+                                                         : compute_periodic_share(meshes);
     }
 
     /** One number of a column, in its unit but for change [-], where largest [that of @p time,
@@ -164,6 +179,7 @@ namespace vfife
         case FigureValue::zero_crossing_rate:
           return compute_zero_crossing_rate(time, column);
         case FigureValue::periodic_share: // need the mesh as well
+        case FigureValue::periodic_peak_to_peak:
         case FigureValue::trend:
           break;
         }
@@ -208,21 +224,22 @@ namespace vfife
 
   const Choices<FigureValue> &figure_value_choices()
   {
-    static const Choices<FigureValue> choices = {{"last", FigureValue::last},
-                                                 {"first", FigureValue::first},
-                                                 {"mean", FigureValue::mean},
-                                                 {"largest", FigureValue::largest},
-                                                 {"where largest", FigureValue::where_largest},
-                                                 {"smallest", FigureValue::smallest},
-                                                 {"largest size", FigureValue::largest_size},
-                                                 {"peak to peak", FigureValue::peak_to_peak},
-                                                 {"periodic share", FigureValue::periodic_share},
-                                                 {"trend", FigureValue::trend},
-                                                 {"change", FigureValue::change},
-                                                 {"mean above half", FigureValue::mean_above_half},
-                                                 {"time above half", FigureValue::time_above_half},
-                                                 {"zero crossing rate",
-                                                  FigureValue::zero_crossing_rate}};
+    static const Choices<FigureValue> choices = {
+      {"last", FigureValue::last},
+      {"first", FigureValue::first},
+      {"mean", FigureValue::mean},
+      {"largest", FigureValue::largest},
+      {"where largest", FigureValue::where_largest},
+      {"smallest", FigureValue::smallest},
+      {"largest size", FigureValue::largest_size},
+      {"peak to peak", FigureValue::peak_to_peak},
+      {"peak to peak of mean mesh cycle", FigureValue::periodic_peak_to_peak},
+      {"periodic share", FigureValue::periodic_share},
+      {"trend", FigureValue::trend},
+      {"change", FigureValue::change},
+      {"mean above half", FigureValue::mean_above_half},
+      {"time above half", FigureValue::time_above_half},
+      {"zero crossing rate", FigureValue::zero_crossing_rate}};
     return choices;
   }
 
@@ -242,7 +259,8 @@ namespace vfife
                    figure_value_choices(),
                    "Value of the column. where largest: time or speed of the largest value; "
                    "change: last divided by first, minus one; half: time of half the largest "
-                   "value; zero crossing rate: frequency of a vibration; periodic share: part of "
+                   "value; zero crossing rate: frequency of a vibration; mean mesh cycle: mean of "
+                   "all mesh cycles, without the initial vibration; periodic share: part of "
                    "the variance that repeats with the mesh cycle; trend: slope of the means per "
                    "mesh cycle");
     declare_quantity(prm,
@@ -321,15 +339,15 @@ namespace vfife
       samples(all.begin() + first, all.end());
     if (samples.empty())
       return {not_known, unit};
-    if (value != FigureValue::periodic_share && value != FigureValue::trend)
+    if (value != FigureValue::periodic_share && value != FigureValue::periodic_peak_to_peak &&
+        value != FigureValue::trend)
       return {compute_value(value, time, samples), unit};
     if (samples.size() < 2)
       return {not_known, unit};
     const double frequency = find(column::mesh_frequency).back();
     const auto   meshes =
       fold_meshes(samples, frequency * (time.back() - time.front()) / (time.size() - 1));
-    return {value == FigureValue::trend ? compute_trend(meshes) : compute_periodic_share(meshes),
-            unit};
+    return {compute_value_of_meshes(value, meshes), unit};
   }
 
   double HistoryFigure::compute_error(const double number) const

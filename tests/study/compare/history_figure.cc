@@ -178,6 +178,10 @@ namespace
     figure.from   = 2 - 1e-9;
     check_close("periodic share", figure.compute(table).value, 9. / 25, 1e-9);
     check("its unit", figure.compute(table).unit == "-");
+    // The other vibration has three whole periods in ten meshes.
+    figure.value = FigureValue::periodic_peak_to_peak;
+    check_close("peak to peak of the mean mesh cycle", figure.compute(table).value, 6., 1e-9);
+    check("its unit", figure.compute(table).unit == "N");
     figure.from = 8.5;
     check("less than two meshes", std::isnan(figure.compute(table).value));
     figure.value = FigureValue::first;

@@ -20,12 +20,13 @@ namespace vfife
     mean,
     largest,
     smallest,
-    where_largest,     ///< time or speed of the row with the largest value
-    largest_size,      ///< of the absolute values
-    peak_to_peak,      ///< largest less smallest
-    periodic_share,    ///< part of the variance that repeats with the mesh cycle [-]
-    trend,             ///< slope of the meshes' means by least squares [per mesh cycle]
-    change,            ///< last over first, minus one [-]
+    where_largest,         ///< time or speed of the row with the largest value
+    largest_size,          ///< of the absolute values
+    peak_to_peak,          ///< largest less smallest
+    periodic_peak_to_peak, ///< of the mean mesh cycle
+    periodic_share,        ///< part of the variance that repeats with the mesh cycle [-]
+    trend,                 ///< slope of the meshes' means by least squares [per mesh cycle]
+    change,                ///< last over first, minus one [-]
     mean_above_half,   ///< mean over the time in which the column is above half its largest value
     time_above_half,   ///< that time, its ends interpolated [s]
     zero_crossing_rate ///< half the crossings between the first and the last one a second [Hz]
