@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/declared_section.h>
+#include <vfife/base/parameters/former_names.h>
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/output/files/checkpoint.h>
 #include <vfife/output/folder/input_files.h>
@@ -31,10 +32,15 @@ namespace vfife
       const std::set<std::string>      set(checkpoint.set_parameters.begin(),
                                       checkpoint.set_parameters.end());
       std::map<std::string, BothTexts> entries;
+      std::vector<ParameterStatement>  statements;
       for (const auto &[path, text] : checkpoint.parameters)
+        statements.push_back(read_override(path + "=" + text));
+      replace_former_names(statements);
+      for (std::size_t i = 0; i < statements.size(); ++i)
         {
-          entries[path].before  = text;
-          entries[path].was_set = set.count(path) > 0;
+          BothTexts &entry = entries[statements[i].path()];
+          entry.before     = statements[i].value;
+          entry.was_set    = set.count(checkpoint.parameters[i].first) > 0;
         }
       for (const auto &[path, digest] : checkpoint.input_digests)
         entries[path].digest_before = digest;
@@ -65,7 +71,7 @@ namespace vfife
             find_other_content(*entry.before, *entry.digest_before, *entry.now);
           return other.empty() ? "" : other + ". Restore that content, or start without --restart";
         }
-      return *entry.before == *entry.now
+      return is_same_value(*entry.before, *entry.now)
                ? ""
                : "is " + quoted(*entry.now) + ", but the run started with " +
                    quoted(*entry.before) + "; a continued run may change only " +
