@@ -9,6 +9,7 @@
 #include "../quick_pair.h"
 
 #include <vfife/base/types.h>
+#include <vfife/study/sweep/history_figure.h>
 
 #include <nlohmann/json.hpp>
 
@@ -337,8 +338,19 @@ namespace
       return row_of(default_page, "Further results", beginning)[1];
     };
     compare("page of the mesh: mean [arcsec]", by_default("mean at 20,000 rpm"), 0, sum / n);
-    compare("peak to peak [arcsec]", by_default("peak to peak at"), 0, error[1] - error[0]);
-    compare("force [N]", by_default("sum of the contact forces"), 0, force[1] - force[0]);
+    const Table table        = read_result_table(folder + "history.csv");
+    const auto  of_mean_mesh = [&](const char *column) {
+      HistoryFigure value;
+      value.column = column;
+      value.value  = FigureValue::periodic_peak_to_peak;
+      value.from   = begin;
+      return value.compute(table).value;
+    };
+    compare("mean mesh cycle [arcsec]", by_default("peak to peak of the"), 0, of_mean_mesh("dte"));
+    compare("force [N]",
+            by_default("sum of the contact forces"),
+            0,
+            of_mean_mesh("contact force total"));
   }
 
   /** The equilibrium before the run of the coarse reference pair, with and without its web. */
