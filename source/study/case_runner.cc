@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/file_names.h>
-#include <vfife/base/parameters/former_names.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/command_line.h>
@@ -101,7 +100,7 @@ namespace vfife
             if (!other.empty())
               return entry + ": " + other;
           }
-        else if (!is_same_value(former, value))
+        else if (former != value)
           return entry + ": expected \"" + former + "\" of the earlier results, got \"" + value +
                  "\"";
       }

@@ -2,6 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/declared_section.h>
 #include <vfife/base/parameters/former_names.h>
+#include <vfife/base/parameters/parameters.h>
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/output/files/checkpoint.h>
 #include <vfife/output/folder/input_files.h>
@@ -29,21 +30,28 @@ namespace vfife
     std::map<std::string, BothTexts> put_together(const Checkpoint      &checkpoint,
                                                   const DeclaredSection &now)
     {
-      const std::set<std::string>      set(checkpoint.set_parameters.begin(),
+      const std::set<std::string>        set(checkpoint.set_parameters.begin(),
                                       checkpoint.set_parameters.end());
-      std::map<std::string, BothTexts> entries;
-      std::vector<ParameterStatement>  statements;
+      std::map<std::string, BothTexts>   entries;
+      std::vector<ParameterStatement>    statements;
+      std::map<std::string, BothTexts *> by_former_path;
       for (const auto &[path, text] : checkpoint.parameters)
         statements.push_back(read_override(path + "=" + text));
       replace_former_names(statements);
       for (std::size_t i = 0; i < statements.size(); ++i)
         {
-          BothTexts &entry = entries[statements[i].path()];
-          entry.before     = statements[i].value;
-          entry.was_set    = set.count(checkpoint.parameters[i].first) > 0;
+          const std::string &former = checkpoint.parameters[i].first;
+          BothTexts         &entry  = entries[statements[i].path()];
+          entry.before              = statements[i].value;
+          entry.was_set             = set.count(former) > 0;
+          by_former_path[former]    = &entry;
         }
       for (const auto &[path, digest] : checkpoint.input_digests)
-        entries[path].digest_before = digest;
+        if (const auto entry = by_former_path.find(path); entry != by_former_path.end())
+          entry->second->digest_before = digest;
+      for (const auto &[path, pattern] : now.list_patterns())
+        if (std::optional<std::string> &before = entries[path].before)
+          before = text_in_force(pattern, *before);
       for (const auto &[path, text] : now.list_values())
         entries[path].now = text;
       for (const auto &[path, text] : now.list_defaults())
@@ -71,7 +79,7 @@ namespace vfife
             find_other_content(*entry.before, *entry.digest_before, *entry.now);
           return other.empty() ? "" : other + ". Restore that content, or start without --restart";
         }
-      return is_same_value(*entry.before, *entry.now)
+      return *entry.before == *entry.now
                ? ""
                : "is " + quoted(*entry.now) + ", but the run started with " +
                    quoted(*entry.before) + "; a continued run may change only " +

@@ -3,6 +3,7 @@
 // the right line.
 
 #include <vfife/base/parameters/number_list.h>
+#include <vfife/base/parameters/number_or_word.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/types.h>
@@ -180,6 +181,32 @@ void check_first_pass()
   check("default set again", options.face_angle == angle);
 }
 
+/** 0 becomes the word of an entry that has one for it, and of no other. */
+void check_words_for_zero()
+{
+  const auto read = [](const std::string &text) {
+    dealii::ParameterHandler prm;
+    double                   layer = 0, size = 0;
+    NumberOrWord             cells   = {16, true};
+    std::string              formula = "x";
+    declare_quantity(prm, "Layer", layer, "mm", "layer", Range::positive().or_word("none"));
+    declare_quantity(prm, "Size", size, "mm", "size", Range::not_negative());
+    declare_number_or_word(prm, "Cells", cells, "auto", "cells", 0, 100);
+    declare_text(prm, "Formula", formula, "formula");
+    write_file("words.prm", text);
+    ParameterFile("words.prm").read(prm);
+    return prm.get("Layer") + ", " + prm.get("Size") + ", " + prm.get("Cells") + ", " +
+           prm.get("Formula") + ", " + std::to_string(layer);
+  };
+  check("words by default", read("") == "none, 0, auto, x, 0.000000");
+  check("zeros of earlier files",
+        read("set Layer = 0 mm\nset Size = 0\nset Cells = 0\nset Formula = 0\n") ==
+          "none, 0, 0, 0, 0.000000");
+  check("numbers", read("set Layer = 0.5 mm\n") == "0.5 mm, 0, auto, x, 0.500000");
+  print_refusal([&] { read("set Layer = 0 kg\n"); });
+  print_refusal([&] { read("set Layer = nothing\n"); });
+}
+
 void check_wrong_values()
 {
   const std::string begin = "subsection Gear pair\n  subsection Gear\n    subsection Body\n",
@@ -303,6 +330,7 @@ int main()
 {
   check_good_file();
   check_first_pass();
+  check_words_for_zero();
   check_wrong_values();
   check_wrong_structure();
   check_number_lists();

@@ -3,7 +3,6 @@
 #include <vfife/base/parameters/former_names.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <sstream>
 
@@ -233,12 +232,6 @@ namespace vfife
                            (word != former->words.end() ? " = " + statement.value : "") + "\"");
       }
     return replaced;
-  }
-
-  bool is_same_value(const std::string &former, const std::string &present)
-  {
-    const bool is_word = !present.empty() && std::isalpha(static_cast<unsigned char>(present[0]));
-    return former == present || (is_word && (former == "0" || former.compare(0, 2, "0 ") == 0));
   }
 
   std::string find_instead_of(const std::string &name)

@@ -274,10 +274,11 @@ namespace vfife
         : statement.place + ": " + statement.name + " = " + statement.value + ": ";
     try
       {
-        prm.set(statement.name,
-                names_a_file(entry.pattern, statement.value)
-                  ? find_beside(statement.folder, statement.value)
-                  : statement.value);
+        const std::string text = names_a_file(entry.pattern, statement.value)
+                                   ? find_beside(statement.folder, statement.value)
+                                   : statement.value;
+        prm.set(statement.name, text); // refuses what is not valid
+        prm.set(statement.name, text_in_force(entry.pattern, text));
       }
     catch (const InputError &error)
       {

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 
 namespace vfife
@@ -86,6 +87,9 @@ namespace vfife
         store(text == default_text ? default_value : read(text));
       });
     }
+
+    /** How patterns of declare_quantity() begin. */
+    const std::string number_words = "a number";
 
     /**
      * As a message ends with it: "positive", "at least 2", "between 0 and 1"; "" without a limit.
@@ -196,6 +200,18 @@ namespace vfife
     return quantity.internal();
   }
 
+  std::string text_in_force(const std::string &pattern, const std::string &text)
+  {
+    const std::string open_word = "or \"";
+    const std::size_t place     = pattern.find(open_word);
+    char             *rest      = nullptr;
+    if (place == std::string::npos || pattern.compare(0, number_words.size(), number_words) != 0 ||
+        std::strtod(text.c_str(), &rest) != 0. || rest == text.c_str())
+      return text;
+    const std::size_t begin = place + open_word.size();
+    return pattern.substr(begin, pattern.find('"', begin) - begin);
+  }
+
   std::string
   describe_quantity(const std::string &meaning, const std::string &unit, const Range &range)
   {
@@ -222,7 +238,7 @@ namespace vfife
       value,
       read,
       [&value](const double number) { value = number; },
-      "a number" + (words.empty() ? "" : ", " + words) + " [" + unit + "]",
+      number_words + (words.empty() ? "" : ", " + words) + " [" + unit + "]",
       describe_quantity(meaning, unit, range));
   }
 

@@ -52,6 +52,10 @@ namespace vfife
     std::vector<std::pair<std::string, std::string>>
     list_defaults(const std::string &path = "") const;
 
+    /** The same of their patterns, in the same order. */
+    std::vector<std::pair<std::string, std::string>>
+    list_patterns(const std::string &path = "") const;
+
     /** "A/B/name = value unit" of all entries at or below this section that have another text than
      * in @p other, where the same is declared. */
     std::vector<std::string> list_differences(const DeclaredSection &other) const;

@@ -16,10 +16,6 @@ namespace vfife
    */
   std::vector<std::string> replace_former_names(std::vector<ParameterStatement> &statements);
 
-  /** Whether an entry that had the text @p former has it still in @p present: 0 is what the
-   * previous version wrote for the words of Range::or_word(). */
-  bool is_same_value(const std::string &former, const std::string &present);
-
   /** Advice for an entry of earlier versions that has no successor, "remove it: ..."; empty for
    * other names. */
   std::string find_instead_of(const std::string &name);

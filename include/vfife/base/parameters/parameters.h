@@ -95,6 +95,10 @@ namespace vfife
   double
   read_quantity_in_range(const std::string &text, const std::string &unit, const Range &range);
 
+  /** A valid @p text of an entry of this @p pattern (DeclaredSection::Entry) as it is in force: 0,
+   * which files of earlier versions have, is the word of Range::or_word(). */
+  std::string text_in_force(const std::string &pattern, const std::string &text);
+
   /** What a description says of a unit and a range: "meaning (words) [unit]". */
   std::string
   describe_quantity(const std::string &meaning, const std::string &unit, const Range &range);
