@@ -8,8 +8,6 @@
 #include <vfife/mesh/files/mesh_import.h>
 #include <vfife/model/options/body_options.h>
 
-#include <boost/algorithm/string/predicate.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -22,14 +20,6 @@ namespace vfife
     const std::string from_file = "file", stepped_shaft = "stepped shaft";
     /** Elements are linear elastic: beyond this a temperature is hardly meant. */
     constexpr double largest_initial_strain = 0.1;
-
-    /** "REGION: MATERIAL" at its last colon; a part is empty where it is missing. */
-    std::pair<std::string, std::string> split_region_material(const std::string &pair)
-    {
-      const std::size_t colon = std::min(pair.rfind(':'), pair.size());
-      return {trimmed(pair.substr(0, colon)),
-              trimmed(pair.substr(std::min(colon + 1, pair.size())))};
-    }
   } // namespace
 
   void BodyOptions::declare_kind(dealii::ParameterHandler &prm)
@@ -46,13 +36,7 @@ namespace vfife
       mesh,
       [this, shapes](const unsigned i) { mesh = shapes[i]; },
       "Shape of the body, or file: a mesh file of hexahedra");
-    declare_text(prm, "material", material, "Name of a section \"Material NAME\"");
-    declare_names(prm,
-                  "region materials",
-                  region_materials,
-                  "Materials of single regions of a mesh file, as REGION: MATERIAL, separated "
-                  "by commas; MATERIAL names a section \"Material NAME\"; other regions have the "
-                  "body's material");
+    materials.declare(prm, "of a mesh file");
   }
 
   void BodyOptions::declare(dealii::ParameterHandler &prm, const std::string &section)
@@ -149,13 +133,10 @@ namespace vfife
       shaft.check(section);
     else if (file.empty())
       throw InputError(section + "/file", "expected the name of the mesh file, got none");
-    if (mesh != from_file && !region_materials.empty())
+    if (mesh != from_file && !materials.of_regions.empty())
       throw InputError(section + "/region materials",
                        "expected mesh = file, got mesh = " + mesh + ", which has one region");
-    for (const std::string &pair : region_materials)
-      if (const auto [region, name] = split_region_material(pair); region.empty() || name.empty())
-        throw InputError(section + "/region materials",
-                         "expected REGION: MATERIAL, got \"" + pair + "\"");
+    materials.check(section);
     if (rotation_axis.norm() == 0)
       throw InputError(section + "/rotation axis", "must not have length zero");
     if (axis_direction.norm() == 0)
@@ -221,55 +202,6 @@ namespace vfife
                        list_of(names));
   }
 
-  std::vector<std::string> BodyOptions::material_names() const
-  {
-    std::vector<std::string> names = {material};
-    for (const std::string &pair : region_materials)
-      {
-        const std::string name = split_region_material(pair).second;
-        if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
-          names.push_back(name);
-      }
-    return names;
-  }
-
-  void BodyOptions::give_materials(BodyMesh &mesh, const std::string &section) const
-  {
-    if (region_materials.empty())
-      return;
-    const std::string                    entry = section + "/region materials";
-    const std::vector<std::string>       names = material_names();
-    std::map<unsigned int, std::uint8_t> of_region;
-    for (const std::string &pair : region_materials)
-      {
-        const auto [region, name] = split_region_material(pair);
-        std::vector<std::string> known;
-        bool                     found = false;
-        for (const auto &[id, other] : mesh.regions)
-          {
-            known.push_back(other);
-            if (mesh.names_without_case ? !boost::iequals(other, region) : other != region)
-              continue;
-            found = true;
-            if (!of_region.emplace(id, std::find(names.begin(), names.end(), name) - names.begin())
-                   .second)
-              throw InputError(entry, "region \"" + region + "\" has two materials");
-          }
-        if (!found)
-          throw InputError(entry,
-                           "expected a region of the file, got \"" + region + "\"" +
-                             did_you_mean(region, known) + "; the file has " +
-                             list_of(known, true));
-      }
-    std::vector<std::uint8_t> materials;
-    for (const auto &cell : mesh.triangulation.active_cell_iterators())
-      {
-        const auto found = of_region.find(cell->material_id());
-        materials.push_back(found == of_region.end() ? 0 : found->second);
-      }
-    mesh.structure.set_materials(std::move(materials));
-  }
-
   void BodyOptions::give_temperature(Body &body, const std::string &section) const
   {
     const std::string entry = section + "/temperature";
@@ -297,13 +229,13 @@ namespace vfife
       }
   }
 
-  Body BodyOptions::make(const std::string           &name,
-                         const std::vector<Material> &materials,
-                         const std::string           &section) const
+  Body BodyOptions::make(const std::string      &name,
+                         const MaterialSections &sections,
+                         const std::string      &section) const
   {
     std::unique_ptr<BodyMesh> body_mesh = make_mesh(section);
-    give_materials(*body_mesh, section);
-    Body body(name, materials, std::move(body_mesh));
+    materials.assign(*body_mesh, section);
+    Body body(name, materials.find(sections, section), std::move(body_mesh));
     give_temperature(body, section);
     // x = R X + position: turned about the body frame's origin, then moved.
     body.placement.rotation    = rotation_about(rotation_axis.normalized(), rotation_angle);

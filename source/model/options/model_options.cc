@@ -160,7 +160,7 @@ namespace vfife
   {
     std::vector<std::string> names;
     for (const auto &body : bodies_)
-      for (const std::string &name : body.second.material_names())
+      for (const std::string &name : body.second.materials.names())
         names.push_back(name);
     materials_.declare(prm, file, names);
   }
@@ -200,7 +200,7 @@ namespace vfife
     for (const auto &body : bodies_)
       {
         body.second.check(section_of("Body", body.first));
-        materials_of(body);
+        body.second.materials.find(materials_, section_of("Body", body.first));
       }
     for (const auto &constraint : constraints_)
       constraint.second.check(section_of("Constraint", constraint.first));
@@ -209,25 +209,12 @@ namespace vfife
     materials_.check();
   }
 
-  std::vector<Material>
-  ModelOptions::materials_of(const std::pair<std::string, BodyOptions> &body) const
-  {
-    std::vector<Material> materials;
-    for (const std::string &name : body.second.material_names())
-      {
-        const char *entry = name == body.second.material ? "/material" : "/region materials";
-        materials.push_back(materials_.find(name, section_of("Body", body.first) + entry));
-      }
-    return materials;
-  }
-
   Model ModelOptions::make_model() const
   {
     Model model;
     // Bodies first: the other parts look up bodies and their nodes.
     for (const auto &body : bodies_)
-      model.add_body(
-        body.second.make(body.first, materials_of(body), section_of("Body", body.first)));
+      model.add_body(body.second.make(body.first, materials_, section_of("Body", body.first)));
     for (const auto &constraint : constraints_)
       constraint.second.add_to(model, constraint.first, section_of("Constraint", constraint.first));
     for (const auto &load : loads_)

@@ -3,6 +3,7 @@
 #include <vfife/mesh/gear/gear_meridian.h>
 #include <vfife/study/cases/body_figures.h>
 
+#include <cmath>
 #include <cstdio>
 
 namespace vfife
@@ -29,7 +30,8 @@ namespace vfife
                            const GearMember      &member,
                            const GearBodyOptions &options)
     : name(body.name())
-    , density(body.materials().front().density)
+    , mass(body.mass())
+    , density(body.materials().size() == 1 ? body.materials().front().density : not_known)
     , quality(compute_mesh_quality(body.mesh().triangulation))
     , mesh(compute_solid_integrals(body.mesh().triangulation))
     , exact(compute_true_integrals(member, options))
@@ -49,7 +51,17 @@ namespace vfife
              quality.least_edge,
              " mm, largest aspect ratio ",
              quality.largest_aspect_ratio);
-    // Integrals are those of volume [mm^3, mm^5]; the density is constant within a body.
+    if (std::isnan(density))
+      {
+        log.line(name,
+                 ": mass ",
+                 1e3 * mass,
+                 " kg of several materials, volume ",
+                 compared(mesh.volume, exact.volume, "mm^3"),
+                 "; in brackets the difference to the true body");
+        return;
+      }
+    // Integrals are those of volume [mm^3, mm^5].
     const double to_kg = 1e3 * density; // t to kg
     log.line(name,
              ": mass ",
@@ -95,17 +107,20 @@ namespace vfife
                                           q.largest_edge,
                                           q.least_height};
         const double             to_kg = 1e3 * body.density;
+        // Several densities: the sum of the nodes' masses alone is known.
+        const double known = std::isnan(body.density) ? not_known : 1.;
         for (const SolidIntegrals *s : {&body.mesh, &body.exact})
-          for (const double value : {s->volume,
-                                     to_kg * s->volume,
-                                     s->centre(),
-                                     to_kg * s->polar(),
-                                     to_kg * s->transverse()})
+          for (const double value :
+               {s->volume,
+                std::isnan(body.density) && s == &body.mesh ? 1e3 * body.mass : to_kg * s->volume,
+                known * s->centre(),
+                to_kg * s->polar(),
+                to_kg * s->transverse()})
             row.push_back(value);
         // One density: the difference of the mass is that of the volume.
-        row.push_back(percent(body.mesh.volume, body.exact.volume));
-        row.push_back(percent(body.mesh.polar(), body.exact.polar()));
-        row.push_back(percent(body.mesh.transverse(), body.exact.transverse()));
+        row.push_back(known * percent(body.mesh.volume, body.exact.volume));
+        row.push_back(known * percent(body.mesh.polar(), body.exact.polar()));
+        row.push_back(known * percent(body.mesh.transverse(), body.exact.transverse()));
         table.add_row(row);
       }
     return table;

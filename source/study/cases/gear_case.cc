@@ -24,17 +24,14 @@
 
 namespace vfife
 {
-  namespace
+  std::string GearCase::Member::section() const
   {
-    void declare_material(dealii::ParameterHandler &prm, std::string &material)
-    {
-      declare_text(prm, "material", material, "Name of a section \"Material NAME\"");
-    }
-  } // namespace
+    return "Gear pair/" + name;
+  }
 
   std::string GearCase::Member::shaft_section() const
   {
-    return "Gear pair/" + name + "/Shaft";
+    return section() + "/Shaft";
   }
 
   std::vector<ShaftSection> GearCase::Member::shaft_sections() const
@@ -74,7 +71,7 @@ namespace vfife
     // Passes for the names of materials and bearings, then for the bearings' kinds.
     file.read_known([&](dealii::ParameterHandler &first) {
       inside(first, [&first](Member &member) {
-        declare_material(first, member.material);
+        member.materials.declare(first, "");
         Subsection shaft(first, "Shaft");
         member.supports.declare_bearing_names(first);
       });
@@ -103,13 +100,16 @@ namespace vfife
         "the fixed frame; forces in N, moments in N mm; empty: rigid housing");
     }
     inside(prm, [&prm](Member &member) {
-      declare_material(prm, member.material);
+      member.materials.declare(prm, "rim, web, hub, shaft");
       member.body.declare(prm);
       Subsection shaft(prm, "Shaft");
       member.supports.declare(prm);
     });
 
-    materials_.declare(prm, file, {members_[0].material, members_[1].material});
+    std::vector<std::string> names = members_[0].materials.names();
+    for (const std::string &name : members_[1].materials.names())
+      names.push_back(name);
+    materials_.declare(prm, file, names);
     operation_.declare(prm);
     declare_section(prm, "Contact", contact_);
     Subsection contact(prm, "Contact");
@@ -209,6 +209,8 @@ namespace vfife
     check_body(members_[1], completed.gear.blank);
     check_shafts();
     check_surface_layers();
+    for (const Member &member : members_)
+      member.materials.check(member.section(), "teeth"); // their contact has one modulus
     for (const unsigned int body : {0u, 1u})
       material_of(body);
     materials_.check();
@@ -217,7 +219,7 @@ namespace vfife
   const Material &GearCase::material_of(const unsigned int body) const
   {
     const Member &member = members_[body];
-    return materials_.find(member.material, "Gear pair/" + member.name + "/material");
+    return materials_.find(member.materials.material, member.section() + "/material");
   }
 
   bool GearCase::has_web() const

@@ -122,10 +122,13 @@ namespace vfife
   Body GearCase::make_body(const GearPair &pair, const unsigned int body) const
   {
     // Seats begin and end where the mesh has levels.
-    const GearMember &teeth = body == 0 ? pair.pinion() : pair.gear();
+    const GearMember         &teeth  = body == 0 ? pair.pinion() : pair.gear();
+    const Member             &member = members_[body];
+    std::unique_ptr<BodyMesh> mesh   = make_gear_body(teeth, member.with_levels(teeth.blank()));
+    member.materials.assign(*mesh, member.section());
     return {body == 0 ? "pinion" : "gear",
-            make_gear_body(teeth, members_[body].with_levels(teeth.blank())),
-            material_of(body)};
+            member.materials.find(materials_, member.section()),
+            std::move(mesh)};
   }
 
   void GearCase::add_housing(Model &model) const

@@ -31,6 +31,8 @@ namespace vfife
 
       void declare(dealii::ParameterHandler &prm);
       void check(const std::string &section) const;
+      /** Throws InputError where a format has one material per body, and a body has several. */
+      void check_materials(const std::string &section, const Model &model) const;
     };
 
     ExportedBody exported(const Body &body)
@@ -66,7 +68,7 @@ namespace vfife
 
       void inspect(Communicator &, Log &log) override
       {
-        pair_case_->make_model(log);
+        export_.check_materials("Export", pair_case_->make_model(log));
       }
 
       void run(OutputFolder &folder, Log &log) override;
@@ -118,10 +120,22 @@ namespace vfife
         "flank points need at least 2 lengthwise and 2 along the profile (or 0 and 0 for none)");
   }
 
+  void ExportOptions::check_materials(const std::string &section, const Model &model) const
+  {
+    if (std::find(formats.begin(), formats.end(), "inp") == formats.end())
+      return;
+    for (const Body &body : model.bodies)
+      if (body.materials().size() > 1)
+        throw InputError(section + "/formats",
+                         "expected vtu or msh for bodies of several materials, got inp, whose "
+                         "files have one material per body");
+  }
+
   void MeshStudy::run(OutputFolder &folder, Log &log)
   {
     log.set_verbosity(output_.verbosity);
     const Model model = pair_case_->make_model(log);
+    export_.check_materials("Export", model);
     // All ranks have made the same meshes: one writes them. Nothing below is collective.
     if (!folder.is_writer())
       return;

@@ -4,6 +4,7 @@
 #include "../../model_sections.h"
 #include "../../parts.h"
 #include "../../read_files.h"
+#include "../../refusal.h"
 #include "../../tests.h"
 #include "../quick_pair.h"
 
@@ -70,6 +71,42 @@ end
                   table.numbers("mass")[i] / table.numbers("volume")[i] * 1e9,
                   i == 0 ? 7850. : 8500.,
                   1e-6);
+  }
+
+  /** A gear of two materials: its masses, and what refuses several materials. */
+  void region_materials(Communicator &world)
+  {
+    const auto text = [](const std::string &pairs, const std::string &format) {
+      const std::string alloy = pairs.find("alloy") == std::string::npos
+                                  ? ""
+                                  : "subsection Material alloy\n  set density = 2700 kg/m^3\nend\n";
+      return coarse_pair("set body type = conical web", coarse_web) + alloy +
+             "subsection Study\n  set kind = mesh\nend\n"
+             "subsection Gear pair\n  subsection Gear\n    set region materials = " +
+             pairs + "\n  end\nend\nsubsection Export\n  set formats = " + format + "\nend\n";
+    };
+    const auto mass = [&](const std::string &pairs) {
+      run("pair_regions", text(pairs, "vtu"), world);
+      return read_result_table("pair_regions/mesh.csv").numbers("mass")[1];
+    };
+    const double steel = mass("web: steel");
+    double       sum   = 0;
+    for (const char *others : {"rim: steel, web: steel, hub: steel\n    set material = alloy",
+                               "rim: alloy",
+                               "web: alloy",
+                               "hub: alloy"})
+      sum += (steel - mass(others)) / (1 - 2700. / 7850.);
+    check_close("region materials: masses of all regions over that of the gear",
+                sum / steel,
+                1.,
+                1e-9);
+    check("no inertia of several densities",
+          std::isnan(read_result_table("pair_regions/mesh.csv").numbers("polar inertia")[1]));
+    for (const auto &[pairs, format] : {std::pair("web: alloy", "inp"),
+                                        std::pair("teeth: alloy", "vtu"),
+                                        std::pair("wep: alloy", "vtu")})
+      print_refusal(
+        [&, pairs = pairs, format = format] { run("pair_refused", text(pairs, format), world); });
   }
 
   /** Penalty of both sides of the pair with these entries [N/mm^3], as given to a run. */
@@ -336,5 +373,5 @@ subsection Benchmark
 
 int main(int argc, char **argv)
 {
-  return run_parts(argc, argv, {meshes, penalties, spin, benchmark, figures});
+  return run_parts(argc, argv, {meshes, region_materials, penalties, spin, benchmark, figures});
 }

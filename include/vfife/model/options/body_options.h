@@ -5,6 +5,7 @@
 #include <vfife/mesh/primitives/primitive_options.h>
 #include <vfife/mesh/primitives/stepped_shaft.h>
 #include <vfife/model/body.h>
+#include <vfife/model/options/body_materials.h>
 
 #include <array>
 #include <memory>
@@ -16,13 +17,12 @@ namespace vfife
   /** Section Body NAME: mesh, material, place and motion at time zero. */
   struct BodyOptions
   {
-    std::string                       mesh     = "block";
-    std::string                       material = "steel"; ///< name of a section Material NAME
+    std::string                       mesh = "block";
+    BodyMaterials                     materials;
     std::unique_ptr<PrimitiveOptions> primitive; ///< sizes and cells of a mesh that is no file
     SteppedShaftOptions               shaft;     ///< of `mesh = stepped shaft`
     std::string                       file;      ///< of `mesh = file`, see read_body()
     std::vector<std::string>          regions;   ///< of that file; none: all
-    std::vector<std::string>          region_materials;  ///< "REGION: MATERIAL"
     std::string                       temperature = "0"; ///< formula of x, y, z [K]
 
     Vector3 position       = Vector3::Zero(); ///< of the body frame's origin [mm]
@@ -47,19 +47,14 @@ namespace vfife
 
     void check(const std::string &section) const;
 
-    /** Names of sections Material NAME, each once: that of the body, then those of regions. */
-    std::vector<std::string> material_names() const;
-
-    /** @p materials: of material_names(). */
-    Body make(const std::string           &name,
-              const std::vector<Material> &materials,
-              const std::string           &section) const;
+    Body make(const std::string      &name,
+              const MaterialSections &sections,
+              const std::string      &section) const;
 
   private:
     void declare_shape(dealii::ParameterHandler &prm, const std::string &section);
     std::unique_ptr<BodyMesh> make_mesh(const std::string &section) const;
     std::unique_ptr<BodyMesh> read_file(const std::string &section) const;
-    void                      give_materials(BodyMesh &mesh, const std::string &section) const;
     void                      give_temperature(Body &body, const std::string &section) const;
   };
 } // namespace vfife

@@ -56,8 +56,6 @@ namespace vfife
     void declare_names_of_parts(dealii::ParameterHandler &prm);
     void declare_kinds(dealii::ParameterHandler &prm);
     void declare_materials(dealii::ParameterHandler &prm, const ParameterFile &file);
-    /** Those that a body names. */
-    std::vector<Material> materials_of(const std::pair<std::string, BodyOptions> &body) const;
 
     std::vector<std::string> body_names_, constraint_names_, load_names_, contact_names_,
       probe_names_;

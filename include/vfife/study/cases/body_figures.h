@@ -21,7 +21,8 @@ namespace vfife
   struct BodyFigures
   {
     std::string    name;
-    double         density = 0; ///< [t/mm^3]
+    double         mass = 0; ///< of the nodes [t]
+    double         density;  ///< [t/mm^3]; not_known for several materials
     MeshQuality    quality;
     SolidIntegrals mesh, exact;
 
@@ -30,7 +31,8 @@ namespace vfife
     void write_to(Log &log) const;
   };
 
-  /** A row for each body: mesh.csv. Differences are mesh over true body less one [%]. */
+  /** A row for each body: mesh.csv. Inertias, and masses of the true body, are not known for
+   * several materials. Differences are mesh over true body less one [%]. */
   Table body_figures_table(const std::vector<BodyFigures> &bodies);
 } // namespace vfife
 

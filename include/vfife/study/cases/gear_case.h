@@ -5,6 +5,7 @@
 #include <vfife/base/text/table.h>
 #include <vfife/element/material_sections.h>
 #include <vfife/mesh/gear/gear_body.h>
+#include <vfife/model/options/body_materials.h>
 #include <vfife/study/cases/pair_case.h>
 #include <vfife/study/cases/shaft_supports.h>
 #include <vfife/study/cases/torque_pressure.h>
@@ -101,8 +102,9 @@ namespace vfife
       std::string     name; ///< of its section
       GearBodyOptions body;
       ShaftSupports   supports;
-      std::string     material = "steel";
+      BodyMaterials   materials;
 
+      std::string section() const; ///< Gear pair/NAME
       /** Its section Gear pair/NAME/Shaft. */
       std::string               shaft_section() const;
       std::vector<ShaftSection> shaft_sections() const;
@@ -117,8 +119,9 @@ namespace vfife
     /** Hertz's contact of one tooth pair under all the torque. */
     TorquePressure torque_pressure() const;
     /** Throws InputError for shafts that do not go with their bodies or with what holds them. */
-    void            check_shafts() const;
-    void            check_surface_layers() const;
+    void check_shafts() const;
+    void check_surface_layers() const;
+    /** That of the teeth. */
     const Material &material_of(unsigned int body) const;
     /** E* of both members [MPa]. */
     double       pair_modulus() const;
