@@ -19,6 +19,10 @@ namespace vfife
     , mesh_(std::move(mesh))
     , materials_(std::move(materials))
   {
+    if (mesh_->triangulation.has_hanging_nodes())
+      throw InputError("body \"" + name_ +
+                       "\": expected elements that meet in whole faces, got hanging nodes. Refine "
+                       "the mesh everywhere");
     // A triangulation that was not made by create_triangulation() has one sector.
     if (mesh_->structure.elements_per_sector() == 0)
       mesh_->structure =
@@ -184,6 +188,13 @@ namespace vfife
     for (unsigned int i = 0; i < 8; ++i)
       nodes.col(i) = node_positions_[elements_[element][i]];
     return nodes;
+  }
+
+  void Body::require_no_initial_strains(const std::string &method) const
+  {
+    if (has_initial_strains())
+      throw InputError("body \"" + name_ + "\": expected no temperature for " + method +
+                       ", got one");
   }
 
   void Body::add_initial_strains(const std::vector<double> &strains)

@@ -33,6 +33,8 @@ namespace vfife
   {
     if (model.transmissions.empty() || model.contacts.empty())
       throw InputError("expected a gear pair with contact");
+    for (const Body &body : model.bodies)
+      body.require_no_initial_strains("reduced bodies");
     for (const ContactPair &pair : model.contacts)
       if (pair.options.damping_ratio > 0 || pair.options.friction.acts())
         throw InputError("contact \"" + pair.side +

@@ -103,13 +103,19 @@ namespace vfife
     }
 
     /** Warns of former names and states which sections the study ignores. */
-    void log_reading(const ParameterFile &file, const OtherSections &others, Log &log)
+    void log_reading(const ParameterFile            &file,
+                     const dealii::ParameterHandler &prm,
+                     const OtherSections            &others,
+                     Log                            &log)
     {
-      if (!file.former_names().empty())
+      std::vector<std::string> replaced = file.former_names();
+      for (std::string &zero : file.list_zeros_for_words(prm))
+        replaced.push_back(std::move(zero));
+      if (!replaced.empty())
         {
           std::string text = "names of the previous version are read for the last time:";
-          for (const std::string &replaced : file.former_names())
-            text += "\n  " + replaced;
+          for (const std::string &one : replaced)
+            text += "\n  " + one;
           log.warning(text);
         }
       if (!others.passed_over.empty())
@@ -167,7 +173,7 @@ namespace vfife
       const std::optional<PairGeometry> geometry = find_geometry(file, prm);
       if (command_line.check)
         {
-          log_reading(file, read.others, log);
+          log_reading(file, read.prm, read.others, log);
           if (geometry)
             geometry->show(log);
           study->inspect(communicator, log);
@@ -200,7 +206,7 @@ namespace vfife
           log.line("vfife: ", file.path(), ", results in ", folder.path());
           if (has_earlier)
             log.line("results of an earlier study are moved to ", folder.file("previous"));
-          log_reading(file, read.others, log);
+          log_reading(file, read.prm, read.others, log);
           if (geometry)
             {
               geometry->show(log);
@@ -277,7 +283,7 @@ namespace vfife
       ReadStudy         read(file, runner);
       read.check();
       OutputFolder folder(keeper, communicator);
-      log_reading(file, read.others, log);
+      log_reading(file, read.prm, read.others, log);
       if (const auto geometry = find_geometry(file, read.prm))
         {
           geometry->show(log);

@@ -202,6 +202,13 @@ void check_words_for_zero()
   check("zeros of earlier files",
         read("set Layer = 0 mm\nset Size = 0\nset Cells = 0\nset Formula = 0\n") ==
           "none, 0, 0, 0, 0.000000");
+  dealii::ParameterHandler prm;
+  double                   layer = 1;
+  declare_quantity(prm, "Layer", layer, "mm", "layer", Range::positive().or_word("none"));
+  write_file("words.prm", "\nset Layer = 0\n");
+  const std::vector<std::string> zeros = ParameterFile("words.prm").list_zeros_for_words(prm);
+  check("zeros for words are listed",
+        zeros == std::vector<std::string>{"words.prm:2: Layer = 0 is read as \"none\""});
   check("numbers", read("set Layer = 0.5 mm\n") == "0.5 mm, 0, auto, x, 0.500000");
   print_refusal([&] { read("set Layer = 0 kg\n"); });
   print_refusal([&] { read("set Layer = nothing\n"); });

@@ -7,6 +7,7 @@
 #include "pair_in_bearings.h"
 
 #include <vfife/base/errors.h>
+#include <vfife/fem/cyclic/cyclic_body.h>
 #include <vfife/fem/statics/compliance.h>
 
 #include <cmath>
@@ -153,6 +154,12 @@ int main(int argc, char **argv)
   Model half = make_wheel(ConstraintKind::prescribed_rotation, 0.);
   half.constraints[0].nodes.resize(half.constraints[0].nodes.size() / 2);
   check("a wheel half held", !Compliance(half, {}, false, world).by_sectors());
+  // At rest a temperature would act in the whole body alone.
+  Model warm = make_wheel(ConstraintKind::prescribed_rotation, 0.);
+  check("a wheel has equal sectors", has_equal_sectors(warm, 0, {}));
+  warm.bodies[0].add_initial_strains(std::vector<double>(warm.bodies[0].n_elements(), 1e-4));
+  check("not with a temperature", !has_equal_sectors(warm, 0, {}));
+  print_refusal([&] { Compliance(warm, {}, false, world); });
   const Model fast = make_wheel(ConstraintKind::prescribed_rotation, 3e5);
   print_refusal<NumericalError>([&] { Compliance(fast, {}, true, world); });
   return 0;

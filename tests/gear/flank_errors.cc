@@ -2,6 +2,7 @@
 // Errors of manufacture on the flanks: splines on the grid, ease-off terms by the geometry of the
 // moved flank, pitch deviations and eccentricity in the unloaded contact by their closed forms, and
 // contact of modified flanks against the search for the smallest gap.
+#include "../refusal.h"
 #include "../tests.h"
 #include "gap_search.h"
 #include "paper_pair.h"
@@ -282,6 +283,19 @@ namespace
         check_below("and across it", moved.head<2>().norm() / um, 1e-9);
       }
   }
+
+  /** Offsets that are no small deviations any more. */
+  void large_deviations()
+  {
+    const auto refuse = [](const auto &set) {
+      GearPairOptions options = paper::options();
+      set(options.gear_errors);
+      print_refused_entry([&options] { const GearPair pair(options); });
+    };
+    refuse([](MemberErrorOptions &errors) { errors.eccentricity = 500. * um; });
+    refuse([](MemberErrorOptions &errors) { errors.convex.terms.profile_crowning = -500. * um; });
+    refuse([](MemberErrorOptions &errors) { errors.concave.pitch_amplitude = 500. * um; });
+  }
 } // namespace
 
 int main()
@@ -291,5 +305,6 @@ int main()
   contact_of_modified_flanks();
   pitch();
   runout();
+  large_deviations();
   return 0;
 }

@@ -231,6 +231,10 @@ namespace
     auto mesh = make_block(Vector3(3., 1., 1.), {{3, 1, 1}});
     std::next(mesh->triangulation.begin_active(), 2)->vertex(1) = dealii::Point<3>(1., 0., 0.);
     print_refusal([&] { Body("bent", std::move(mesh), Material()); });
+    auto refined = make_block(Vector3(3., 1., 1.), {{3, 1, 1}});
+    refined->triangulation.begin_active()->set_refine_flag();
+    refined->triangulation.execute_coarsening_and_refinement();
+    print_refusal([&] { Body("refined", std::move(refined), Material()); });
   }
 
   void axes()

@@ -50,7 +50,7 @@ namespace vfife
   {
   public:
     /** Computes masses. @p materials: those that the mesh's BodyStructure::material_of() counts.
-     * Throws InputError naming the first inverted element. */
+     * Throws InputError naming the first inverted element, and for hanging nodes. */
     Body(std::string name, std::vector<Material> materials, std::unique_ptr<BodyMesh> mesh);
     Body(std::string name, std::unique_ptr<BodyMesh> mesh, const Material &material);
     /** The same of plain @p nodes [mm] and right-handed @p elements: the triangulation of @p parts
@@ -93,6 +93,8 @@ namespace vfife
     }
     /** To what there is, so that sources of strain sum; by element, each sum above -1. */
     void add_initial_strains(const std::vector<double> &strains);
+    /** Throws InputError with the @p method that does not support them. */
+    void require_no_initial_strains(const std::string &method) const;
     /** The element in the shape in which it has no stress, around its middle [mm]. */
     HexahedronNodes stress_free_nodes(unsigned int element) const;
 

@@ -290,6 +290,22 @@ namespace vfife
       }
   }
 
+  std::vector<std::string>
+  ParameterFile::list_zeros_for_words(const dealii::ParameterHandler &prm) const
+  {
+    const DeclaredSection    top = find_declared(prm);
+    std::vector<std::string> zeros;
+    for (const ParameterStatement &statement : statements_)
+      if (const DeclaredSection *const section = find_section_of(statement, top, false);
+          section != nullptr && !statement.opens_section)
+        if (const auto *const entry = section->find_entry(statement.name))
+          if (const std::string text = text_in_force(entry->pattern, statement.value);
+              text != statement.value)
+            zeros.push_back(statement.place + ": " + statement.name + " = " + statement.value +
+                            " is read as \"" + text + "\"");
+    return zeros;
+  }
+
   const ParameterStatement *ParameterFile::find(const std::string &entry_path) const
   {
     // later statements win, and the command line comes last; of a section the first place is of

@@ -3,6 +3,7 @@
 #include <vfife/dynamics/loop/explicit_solver.h>
 #include <vfife/dynamics/motion/mean_speed.h>
 
+#include <set>
 #include <tuple>
 
 namespace vfife
@@ -77,8 +78,11 @@ namespace vfife
     // The driven speed damping's torque takes from the swing what its power takes beyond that of
     // the kinematic rotation: sum m slip . (v - omega_kinematic axis x r).
     work.after.swing = work.after.mesh;
+    std::set<unsigned int> driven; // several drivers may share one
     for (const Transmission &t : model_.transmissions)
       {
+        if (!driven.insert(t.driven).second)
+          continue;
         const Body  &body = model_.bodies[t.driven];
         const double torque =
           body.axis.direction.dot(damping_[t.driven].mesh.omega) *

@@ -25,6 +25,7 @@ namespace vfife
     /** Throws InputError for what no sector can have by itself. */
     const Model &require_own_supports(const Model &model, const unsigned int b)
     {
+      model.bodies[b].require_no_initial_strains("analyses of one sector");
       for (const Load &load : model.loads)
         if (load.body == b)
           throw InputError("body \"" + model.bodies[b].name() + "\": load \"" + load.name +
@@ -92,12 +93,12 @@ namespace vfife
   bool has_equal_sectors(const Model &model, const unsigned int b, const FemSpaceOptions &options)
   {
     const auto acts = [b](const auto &one) { return one.body == b; };
-    if (std::any_of(model.loads.begin(), model.loads.end(), acts) ||
-        std::any_of(model.bearings.begin(), model.bearings.end(), acts) ||
+    if (std::any_of(model.bearings.begin(), model.bearings.end(), acts) ||
         std::any_of(model.couplings.begin(), model.couplings.end(), acts))
       return false;
     try
       {
+        require_own_supports(model, b);
         require_held_alike(model, b);
         FemSpace::sector_of(model, b, options);
       }

@@ -67,6 +67,8 @@ namespace vfife
     , averages_(space_)
     , facet_parts_(space_)
   {
+    for (const Body &body : model.bodies)
+      body.require_no_initial_strains("the compliance of a gear pair");
     check_motions();
     spun_.assign(3 * static_cast<std::size_t>(space_.n_points()), 0.);
     if (factorized == Factorized::bodies || !factorize_sectors(options, centrifugal))

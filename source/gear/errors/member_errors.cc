@@ -1,4 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/text/number_text.h>
 #include <vfife/gear/errors/member_errors.h>
 
 #include <cmath>
@@ -33,6 +35,31 @@ namespace vfife
       shift.rotation = w;
       return shift;
     }
+
+    /** Normal offsets describe small deviations: mesh and tooth thickness remain those of the
+     * generated flank. Throws InputError beyond a tenth of the mean transverse module. */
+    void require_small(const double deviation, const double module, const std::string &entry)
+    {
+      constexpr double largest = 0.1; // of the module
+      if (!(std::abs(deviation) <= largest * module))
+        throw InputError(entry,
+                         "expected deviations of at most " +
+                           std::to_string(std::lround(largest * module / micrometre)) +
+                           " um (a tenth of the mean module), got " +
+                           number_text(deviation / micrometre) + " um");
+    }
+
+    void require_small(const EaseOffTerms &terms, const double module, const std::string &section)
+    {
+      const std::pair<double, const char *> named[] = {{terms.pressure_angle, "profile slope"},
+                                                       {terms.spiral_angle, "lengthwise slope"},
+                                                       {terms.profile_crowning, "profile crowning"},
+                                                       {terms.lengthwise_crowning,
+                                                        "lengthwise crowning"},
+                                                       {terms.bias, "bias"}};
+      for (const auto &[deviation, entry] : named)
+        require_small(deviation, module, section + "/" + entry);
+    }
   } // namespace
 
   MemberErrors::MemberErrors(const MemberErrorOptions &options,
@@ -42,8 +69,12 @@ namespace vfife
     const unsigned int teeth      = gear.blank().teeth;
     const bool         has_runout = options.eccentricity != 0. || options.wobble != 0.;
     const FlankShift   runout     = has_runout ? runout_shift(options, gear) : FlankShift();
-    any_                          = has_runout;
-    equal_teeth_                  = !has_runout;
+    const double       r = gear.blank().meridian_point({gear.blank().mean_cone_distance, 0.})[0];
+    const double       module = 2. * r / teeth;
+    require_small(options.eccentricity, module, section + "/radial runout amplitude");
+    require_small(options.wobble, module, section + "/axial runout amplitude");
+    any_         = has_runout;
+    equal_teeth_ = !has_runout;
     for (const FlankSide side : {FlankSide::concave, FlankSide::convex})
       {
         const FlankErrorOptions &own    = options.flank(side);
@@ -51,8 +82,9 @@ namespace vfife
         const std::string        below =
           section + (side == FlankSide::concave ? "/Concave flank" : "/Convex flank");
         // 1. The form: terms, and a grid of all teeth or of some.
-        const EaseOffTerms &terms     = own.terms;
-        const bool          has_terms = terms.pressure_angle != 0. || terms.spiral_angle != 0. ||
+        const EaseOffTerms &terms = own.terms;
+        require_small(terms, module, below);
+        const bool has_terms = terms.pressure_angle != 0. || terms.spiral_angle != 0. ||
                                terms.profile_crowning != 0. || terms.lengthwise_crowning != 0. ||
                                terms.bias != 0.;
         errors.shared              = {has_terms ? FlankArea(gear, side) : FlankArea(), terms, {}};
@@ -62,6 +94,7 @@ namespace vfife
         const Eigen::MatrixXd grid = own.read_topography(below);
         if (grid.size() > 0)
           {
+            require_small(grid.cwiseAbs().maxCoeff(), module, below + "/topography");
             errors.named.topography =
               Topography{FlankArea(gear, side, own.margins), BicubicGrid(grid)};
             if (own.topography_teeth.empty())
@@ -71,14 +104,18 @@ namespace vfife
             any_ = true;
           }
         // 2. The place of each tooth: metal on a lower flank is a turn in the - sense of the axis.
-        const std::vector<double> pitch = own.read_pitch(below, teeth);
-        const double r     = gear.blank().meridian_point({gear.blank().mean_cone_distance, 0.})[0];
-        const double sense = side == gear.lower_side() ? -1. : 1.;
+        const std::vector<double> pitch       = own.read_pitch(below, teeth);
+        const char               *pitch_entry = own.pitch_amplitude != 0. ? "pitch amplitude"
+                                                : own.pitch_table.empty() ? "single pitch deviations"
+                                                                          : "pitch table";
+        const double              sense       = side == gear.lower_side() ? -1. : 1.;
         for (unsigned int k = 0; k < teeth; ++k)
           {
             errors.shifts.push_back(runout.seen_turned(k * gear.pitch()));
-            if (!pitch.empty())
-              errors.shifts.back().rotation[2] += sense * pitch[k] / r;
+            if (pitch.empty())
+              continue;
+            require_small(pitch[k], module, below + "/" + pitch_entry);
+            errors.shifts.back().rotation[2] += sense * pitch[k] / r;
           }
         if (!pitch.empty())
           {

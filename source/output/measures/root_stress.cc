@@ -108,6 +108,7 @@ namespace vfife
     const Transmission &t = *model.only_transmission();
     for (const unsigned int body : {t.driver, t.driven})
       {
+        model.bodies[body].require_no_initial_strains("root stresses");
         named_teeth_[body] = options.read_named_teeth(model.bodies[body].name(), count_teeth(body));
         for (const std::string &side : Fillet::list_sides(model.bodies[body]))
           {

@@ -136,15 +136,27 @@ namespace vfife
       return sum / square;
     }
 
-    /** A value that needs the mesh: not known without two of them. */
-    double compute_value_of_meshes(const FigureValue value, const std::vector<Numbers> &meshes)
+    double compute_periodic_peak_to_peak(const std::vector<Numbers> &meshes)
     {
-      if (meshes.empty())
-        return not_known;
-      if (value == FigureValue::trend)
-        return compute_trend(meshes);
-      return value == FigureValue::periodic_peak_to_peak ? peak_to_peak_of(find_mean_mesh(meshes))
-                                                         : compute_periodic_share(meshes);
+      return peak_to_peak_of(find_mean_mesh(meshes));
+    }
+
+    using OfMeshes = double (*)(const std::vector<Numbers> &);
+
+    /** How a value follows from two mesh cycles or more; null for those of single samples. */
+    OfMeshes find_value_of_meshes(const FigureValue value)
+    {
+      switch (value)
+        {
+        case FigureValue::periodic_share:
+          return compute_periodic_share;
+        case FigureValue::periodic_peak_to_peak:
+          return compute_periodic_peak_to_peak;
+        case FigureValue::trend:
+          return compute_trend;
+        default:
+          return nullptr;
+        }
     }
 
     /** One number of a column, in its unit but for change [-], where largest [that of @p time,
@@ -178,9 +190,7 @@ namespace vfife
           return compute_time_above_half(time, column);
         case FigureValue::zero_crossing_rate:
           return compute_zero_crossing_rate(time, column);
-        case FigureValue::periodic_share: // need the mesh as well
-        case FigureValue::periodic_peak_to_peak:
-        case FigureValue::trend:
+        default: // find_value_of_meshes()
           break;
         }
       return not_known;
@@ -339,15 +349,15 @@ namespace vfife
       samples(all.begin() + first, all.end());
     if (samples.empty())
       return {not_known, unit};
-    if (value != FigureValue::periodic_share && value != FigureValue::periodic_peak_to_peak &&
-        value != FigureValue::trend)
+    const OfMeshes value_of_meshes = find_value_of_meshes(value);
+    if (value_of_meshes == nullptr)
       return {compute_value(value, time, samples), unit};
     if (samples.size() < 2)
       return {not_known, unit};
     const double frequency = find(column::mesh_frequency).back();
     const auto   meshes =
       fold_meshes(samples, frequency * (time.back() - time.front()) / (time.size() - 1));
-    return {compute_value_of_meshes(value, meshes), unit};
+    return {meshes.empty() ? not_known : value_of_meshes(meshes), unit};
   }
 
   double HistoryFigure::compute_error(const double number) const

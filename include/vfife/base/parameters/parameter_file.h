@@ -91,6 +91,10 @@ namespace vfife
     {
       return former_names_;
     }
+    /** Statements whose 0, of the previous version, is read as a word (text_in_force()):
+     * "file.prm:12: X = 0 is read as \"auto\"". */
+    std::vector<std::string> list_zeros_for_words(const dealii::ParameterHandler &prm) const;
+
     /** The settings of the command line as given. */
     const std::vector<std::string> &overrides() const
     {
