@@ -25,6 +25,7 @@ namespace vfife
   namespace
   {
     std::optional<NearestWave> find_wave_of_run(const Model           &model,
+                                                const double           ring_rate,
                                                 const DynamicsOptions &dynamics,
                                                 const Communicator    &communicator)
     {
@@ -33,10 +34,9 @@ namespace vfife
       const ReducedOptions options;
       const Transmission  &t         = *model.only_transmission();
       const double         frequency = t.driver_rate * t.driver_teeth / (2. * pi);
-      // As a free ring at the mean contact: the waves are those of the whole gear.
-      const double ring = model.bodies[t.driven].sound_speed() / t.arm;
-      const double cutoff =
-        2. * pi * options.find_cutoff(frequency, ReducedOptions::rings_of_waves * ring / (2. * pi));
+      const double         cutoff =
+        2. * pi *
+        options.find_cutoff(frequency, ReducedOptions::rings_of_waves * ring_rate / (2. * pi));
       std::vector<ReducedBody> bodies;
       for (unsigned int b = 0; b < model.bodies.size(); ++b)
         bodies.push_back(reduce_body(model,
@@ -90,6 +90,7 @@ namespace vfife
   }
 
   void report_nearest_wave_of_run(const Model           &model,
+                                  const double           ring_rate,
                                   const DynamicsOptions &dynamics,
                                   const Communicator    &communicator,
                                   Log                   &log,
@@ -98,7 +99,7 @@ namespace vfife
     if (model.transmissions.empty() || !model.only_transmission()->has_constant_rate() ||
         model.only_transmission()->driver_rate == 0)
       return;
-    report_nearest_wave([&] { return find_wave_of_run(model, dynamics, communicator); },
+    report_nearest_wave([&] { return find_wave_of_run(model, ring_rate, dynamics, communicator); },
                         log,
                         summary);
   }

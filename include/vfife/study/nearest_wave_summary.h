@@ -22,8 +22,9 @@ namespace vfife
                            RunSummary                                        &summary);
 
   /** Of a run whose bodies are reduced for this alone; nothing where there is no pair at a constant
-   * speed. Collective. */
+   * speed. @p ring_rate: PairCase::ring_rate() [rad/s], for the cut-off of waves. Collective. */
   void report_nearest_wave_of_run(const Model           &model,
+                                  double                 ring_rate,
                                   const DynamicsOptions &dynamics,
                                   const Communicator    &communicator,
                                   Log                   &log,

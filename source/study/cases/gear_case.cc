@@ -316,6 +316,33 @@ namespace vfife
                            gear.poissons_ratio);
   }
 
+  std::array<unsigned int, 2> GearCase::teeth() const
+  {
+    const GearPairOptions completed = pair_.completed();
+    return {{completed.pinion.blank.teeth, completed.gear.blank.teeth}};
+  }
+
+  double GearCase::ring_strain() const
+  {
+    const Blank  blank = pair_.completed().pinion.blank;
+    const double speed = operation_.speed * largest_speed_factor() * blank.outer_cone_distance *
+                         std::sin(blank.pitch_angle);
+    double strain = 0;
+    for (const unsigned int body : {0u, 1u})
+      strain =
+        std::max(strain,
+                 material_of(body).density * speed * speed / material_of(body).youngs_modulus);
+    return strain;
+  }
+
+  double GearCase::ring_rate() const
+  {
+    const Blank     gear     = pair_.completed().gear.blank;
+    const Material &material = material_of(1);
+    return std::sqrt(material.youngs_modulus / material.density) /
+           (gear.outer_cone_distance * std::sin(gear.pitch_angle));
+  }
+
   unsigned int GearCase::gear_tooth_in_mesh(const unsigned int meshes) const
   {
     // Forward the gear turns about -: the next tooth in the + sense comes. The coast side's mean

@@ -26,7 +26,7 @@ namespace vfife
       if (plan.dynamics == nullptr)
         return "";
       const double largest = std::max(plan.dynamics->mass_damping(), plan.dynamics->mesh_damping),
-                   limit   = GearCase::recommended_damping * gear_case.ring_rate();
+                   limit   = PairCase::recommended_damping * gear_case.ring_rate();
       if (!(largest > limit))
         return "";
       return sentence_of(4,

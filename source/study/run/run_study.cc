@@ -14,6 +14,7 @@
 #include <vfife/study/cases/case.h>
 #include <vfife/study/cases/case_kinds.h>
 #include <vfife/study/cases/damping_figures.h>
+#include <vfife/study/cases/pair_case.h>
 #include <vfife/study/cases/run_length.h>
 #include <vfife/study/continuation.h>
 #include <vfife/study/fillets/root_submodels.h>
@@ -198,8 +199,8 @@ namespace vfife
     summary.contradictions = report_contradictions(model, stepped, run_time, log);
     summary.cause          = case_->find_cause();
     // For the report.
-    if (output_.pictures)
-      report_nearest_wave_of_run(model, dynamics_, communicator, log, summary);
+    if (const PairCase *const pair = case_->pair(); pair != nullptr && output_.pictures)
+      report_nearest_wave_of_run(model, pair->ring_rate(), dynamics_, communicator, log, summary);
   }
 
   void RunStudy::inspect(Communicator &communicator, Log &log)

@@ -22,25 +22,15 @@ namespace vfife
   public:
     GearCase();
 
-    void   declare(dealii::ParameterHandler &prm, const ParameterFile &file) override;
-    void   check() const override;
-    void   check_bodies() const override;
-    Model  make_model(Log &log) const override;
-    void   check_run(const DynamicsOptions &dynamics) const override;
-    double end_time() const override;
-    bool   may_be_made_longer() const override;
-    std::vector<unsigned int> list_lengths(const DynamicsOptions &dynamics) const override;
-    void                      set_length(unsigned int meshes) override;
-    double                    ramp_time() const override;
-    double                    choose_step(double stable_step, unsigned int samples) const override;
-    void                      check_at_rest() const override;
-    const OperationOptions   &operation() const override;
-    double                    mesh_frequency() const override;
-    double                    largest_speed_factor() const override;
-    double                    torque_on(unsigned int member) const override;
-    double                    ring_rate() const override;
-    HertzContact              hertz_contact() const override;
-    bool                      leaves_penalty_open() const override
+    void  declare(dealii::ParameterHandler &prm, const ParameterFile &file) override;
+    void  check() const override;
+    void  check_bodies() const override;
+    Model make_model(Log &log) const override;
+    void  check_at_rest() const override;
+    std::array<unsigned int, 2> teeth() const override;
+    double                      ring_rate() const override;
+    HertzContact                hertz_contact() const override;
+    bool                        leaves_penalty_open() const override
     {
       return contact_.penalty.is_open();
     }
@@ -72,19 +62,8 @@ namespace vfife
      * larger of both members. */
     double ring_strain() const;
 
-    /** Damping over ring_rate() up to which the compliance stays (doc/how-to/choose-damping.md). */
-    static constexpr double recommended_damping = 0.05;
-
-    /** Torque on the driven member at time zero, given there or at the pinion [N mm], and its
-     * change with time. */
-    double                  driven_torque() const;
-    const ParameterHistory &driven_torque_history() const;
-
     /** What is wrong with Hertz's pressure under the torque; empty where it is allowed. */
     std::string find_excess_of_pressure() const;
-
-    /** Mesh cycles of a run. */
-    double run_meshes() const;
 
     /** Whether the gear's rim is carried by an elastic web. */
     bool has_web() const;
@@ -112,8 +91,6 @@ namespace vfife
        * and end. */
       GearBodyOptions with_levels(const BlankOutline &blank) const;
     };
-    void check_histories(const DynamicsOptions &dynamics) const;
-    void check_dampers(const DynamicsOptions &dynamics) const;
     /** Throws InputError for a load, speeds and contact that do not go together. */
     void check_operation() const;
     /** Hertz's contact of one tooth pair under all the torque. */
@@ -147,7 +124,6 @@ namespace vfife
     std::array<Member, 2> members_; ///< by body
     std::string           housing_; ///< file of its stiffness; empty: rigid
     MaterialSections      materials_;
-    OperationOptions      operation_;
     ContactOptions        contact_;
     unsigned int          reference_degree_ = 2; ///< Contact/penalty elements
   };

@@ -36,12 +36,36 @@ namespace vfife
 
     // Operation.
 
-    virtual const OperationOptions &operation() const      = 0;
-    virtual double                  mesh_frequency() const = 0; ///< at time zero [Hz]
+    const OperationOptions &operation() const
+    {
+      return operation_;
+    }
+    double mesh_frequency() const; ///< at time zero [Hz]
+    /** Mesh cycles of a run. */
+    double run_meshes() const;
     /** The largest speed of a run over that at time zero. */
-    virtual double largest_speed_factor() const = 0;
+    double largest_speed_factor() const;
     /** Torque on a member that balances the load without friction [N mm]. */
-    virtual double torque_on(unsigned int member) const = 0;
+    double torque_on(unsigned int member) const;
+    /** That on the driven member at time zero, given there or at the pinion, and its change with
+     * time. */
+    double                  driven_torque() const;
+    const ParameterHistory &driven_torque_history() const;
+
+    void                      check_run(const DynamicsOptions &dynamics) const override;
+    double                    end_time() const override;
+    bool                      may_be_made_longer() const override;
+    std::vector<unsigned int> list_lengths(const DynamicsOptions &dynamics) const override;
+    void                      set_length(unsigned int meshes) override;
+    double                    ramp_time() const override;
+    double                    choose_step(double stable_step, unsigned int samples) const override;
+
+    /** Damping over ring_rate() up to which the compliance stays (doc/how-to/choose-damping.md). */
+    static constexpr double recommended_damping = 0.05;
+
+    // Teeth.
+
+    virtual std::array<unsigned int, 2> teeth() const = 0; ///< numbers by member
     /** Rate sqrt(E/rho)/r at which a free ring at the pitch circle of the gear breathes [rad/s]:
      * rates of a pair are large or small against it, whatever its size is. */
     virtual double ring_rate() const = 0;
@@ -82,6 +106,13 @@ namespace vfife
      * flank_points_MEMBER.csv. */
     virtual Table
     flank_points(unsigned int member, unsigned int lengthwise, unsigned int profile) const = 0;
+
+  protected:
+    OperationOptions operation_; ///< section Operation
+
+  private:
+    void check_histories(const DynamicsOptions &dynamics) const;
+    void check_dampers(const DynamicsOptions &dynamics) const;
   };
 } // namespace vfife
 

@@ -1,8 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// The part of GearCase that knows what the pair is run at: speed, torque, dampers, times.
 #include <vfife/base/errors.h>
 #include <vfife/dynamics/dynamics_options.h>
-#include <vfife/study/cases/gear_case.h>
+#include <vfife/study/cases/pair_case.h>
 #include <vfife/study/cases/run_length.h>
 
 #include <algorithm>
@@ -11,17 +10,12 @@
 
 namespace vfife
 {
-  const OperationOptions &GearCase::operation() const
+  double PairCase::mesh_frequency() const
   {
-    return operation_;
+    return operation_.mesh_frequency(teeth()[0]);
   }
 
-  double GearCase::mesh_frequency() const
-  {
-    return operation_.mesh_frequency(pair_.completed().pinion.blank.teeth);
-  }
-
-  double GearCase::end_time() const
+  double PairCase::end_time() const
   {
     if (operation_.end_time > 0)
       return operation_.end_time;
@@ -40,19 +34,19 @@ namespace vfife
       }
   }
 
-  double GearCase::run_meshes() const
+  double PairCase::run_meshes() const
   {
     return operation_.end_time > 0
              ? mesh_frequency() * operation_.speed_history.integral(operation_.end_time)
              : operation_.meshes.number;
   }
 
-  bool GearCase::may_be_made_longer() const
+  bool PairCase::may_be_made_longer() const
   {
     return !operation_.speed_history.is_formula();
   }
 
-  std::vector<unsigned int> GearCase::list_lengths(const DynamicsOptions &dynamics) const
+  std::vector<unsigned int> PairCase::list_lengths(const DynamicsOptions &dynamics) const
   {
     if (!operation_.meshes.is_word || operation_.end_time > 0)
       return {};
@@ -67,12 +61,12 @@ namespace vfife
     return lengths;
   }
 
-  void GearCase::set_length(const unsigned int meshes)
+  void PairCase::set_length(const unsigned int meshes)
   {
     operation_.meshes.number = meshes;
   }
 
-  double GearCase::largest_speed_factor() const
+  double PairCase::largest_speed_factor() const
   {
     // Of a table on the whole: a run that is made longer goes on with the same samples. What has
     // no speed, as kinds that stand still, has no end either.
@@ -82,51 +76,28 @@ namespace vfife
     return history.find_range(history.is_formula() ? end_time() : history.end()).second;
   }
 
-  double GearCase::ring_strain() const
+  double PairCase::torque_on(const unsigned int member) const
   {
-    const Blank  blank = pair_.completed().pinion.blank;
-    const double speed = operation_.speed * largest_speed_factor() * blank.outer_cone_distance *
-                         std::sin(blank.pitch_angle);
-    double strain = 0;
-    for (const unsigned int body : {0u, 1u})
-      strain =
-        std::max(strain,
-                 material_of(body).density * speed * speed / material_of(body).youngs_modulus);
-    return strain;
-  }
-
-  double GearCase::ring_rate() const
-  {
-    const Blank     gear     = pair_.completed().gear.blank;
-    const Material &material = material_of(1);
-    return std::sqrt(material.youngs_modulus / material.density) /
-           (gear.outer_cone_distance * std::sin(gear.pitch_angle));
-  }
-
-  double GearCase::torque_on(const unsigned int member) const
-  {
-    const GearPairOptions completed = pair_.completed();
-    const double          teeth[]   = {double(completed.pinion.blank.teeth),
-                                       double(completed.gear.blank.teeth)};
-    const unsigned int    driven    = operation_.driving == DrivingMember::pinion ? 1 : 0;
+    const std::array<unsigned int, 2> numbers = teeth();
+    const unsigned int                driven  = operation_.driving == DrivingMember::pinion ? 1 : 0;
     // Given on the driven member or on the pinion; the other one has the same work.
     const bool at_pinion = operation_.pinion_torque > 0;
-    return (at_pinion ? operation_.pinion_torque : operation_.torque) * teeth[member] /
-           teeth[at_pinion ? 0 : driven];
+    return (at_pinion ? operation_.pinion_torque : operation_.torque) * double(numbers[member]) /
+           double(numbers[at_pinion ? 0 : driven]);
   }
 
-  double GearCase::driven_torque() const
+  double PairCase::driven_torque() const
   {
     return torque_on(operation_.driving == DrivingMember::pinion ? 1 : 0);
   }
 
-  const ParameterHistory &GearCase::driven_torque_history() const
+  const ParameterHistory &PairCase::driven_torque_history() const
   {
     return operation_.pinion_torque > 0 ? operation_.pinion_torque_history
                                         : operation_.torque_history;
   }
 
-  void GearCase::check_histories(const DynamicsOptions &dynamics) const
+  void PairCase::check_histories(const DynamicsOptions &dynamics) const
   {
     if (!driven_torque_history().is_constant() && dynamics.start == Start::ramp)
       throw InputError("Operation/torque",
@@ -146,13 +117,13 @@ namespace vfife
                        "reaches zero within the run; it must be positive to the end");
   }
 
-  double GearCase::ramp_time() const
+  double PairCase::ramp_time() const
   {
     const double at_first_speed = operation_.ramp / mesh_frequency();
     return at_first_speed > 0 ? operation_.speed_history.find_time(at_first_speed) : 0.;
   }
 
-  void GearCase::check_run(const DynamicsOptions &dynamics) const
+  void PairCase::check_run(const DynamicsOptions &dynamics) const
   {
     if (dynamics.start == Start::undeformed)
       throw InputError("Dynamics/start",
@@ -163,7 +134,7 @@ namespace vfife
     check_dampers(dynamics);
   }
 
-  void GearCase::check_dampers(const DynamicsOptions &dynamics) const
+  void PairCase::check_dampers(const DynamicsOptions &dynamics) const
   {
     // Compliance of the reference pair, measured once over damping/ring_rate(): -0.2 % at 0.025,
     // -12 % at 0.25, -28 % at 0.5 (doc/theory/dynamics.md, Mesh damping).
@@ -186,7 +157,7 @@ namespace vfife
 
   // dt = 1/(f s n), n = ceil(1/(f s dt_s)): whole steps from sample to sample, so that samples lie
   // at the same positions of every mesh cycle. Where the speed changes, its largest value counts.
-  double GearCase::choose_step(const double stable_step, const unsigned int samples) const
+  double PairCase::choose_step(const double stable_step, const unsigned int samples) const
   {
     const double frequency = mesh_frequency() * largest_speed_factor();
     if (!(frequency > 0))
