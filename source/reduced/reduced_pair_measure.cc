@@ -3,6 +3,7 @@
 #include "reduced_pair_parts.h"
 
 #include <vfife/model/body_frame.h>
+#include <vfife/model/pair_measures.h>
 #include <vfife/model/state.h>
 #include <vfife/reduced/pair_readings.h>
 
@@ -108,40 +109,25 @@ namespace vfife
 
   void ReducedPair::measure_transmission(Measurements &measured) const
   {
-    // As measure_transmission() of explicit runs: starts and leads of the driven body's bore or rim
-    // and of the driver's bore.
-    const Transmission &t           = *model_.only_transmission();
-    const Member       &driven      = *members_[t.driven];
-    const double        turned      = driven_turn();
-    const double        bore        = t.driven_sense * read_turn(driven, reading::bore_turn);
-    const double        rim         = t.driven_sense * read_turn(driven, reading::rim_turn);
-    const double        drive       = t.driver_bore.empty()
-                                        ? 0.
-                                        : t.driver_sense * read_turn(*members_[t.driver], reading::bore_turn);
-    const double        start       = t.driven_start - t.ratio() * (t.driver_start + drive);
-    measured.driver_angle           = t.driver_start + driver_turn_ + drive;
-    measured.driven_angle           = t.driven_start + turned + bore;
-    measured.rim_angle              = t.driven_start + turned + rim;
-    measured.transmission_error     = start + bore;
-    measured.rim_transmission_error = start + rim;
+    const Transmission &t      = *model_.only_transmission();
+    const Member       &driven = *members_[t.driven];
+    measured.driver_angle      = t.driver_bore.empty()
+                                   ? 0.
+                                   : t.driver_sense * read_turn(*members_[t.driver], reading::bore_turn);
+    measured.driven_angle      = t.driven_sense * read_turn(driven, reading::bore_turn);
+    measured.rim_angle         = t.driven_sense * read_turn(driven, reading::rim_turn);
+    complete_angles(t, driver_turn_, measured);
   }
 
   void ReducedPair::measure_contact(State &state) const
   {
     Measurements &m = state.measured;
-    m.teeth         = pair_.teeth();
-    m.contact_force = m.contact_torque = m.largest_penetration = 0;
-    m.teeth_in_contact                                         = m.teeth.size();
+    set_teeth(pair_.teeth(), m);
     m.contact_forces.assign(model_.contacts.size(), Vector3::Zero());
     for (const ToothContact &tooth : m.teeth)
-      {
-        m.contact_force += tooth.force.norm();
-        m.contact_torque += tooth.torque;
-        m.largest_penetration = std::max(m.largest_penetration, tooth.penetration);
-        for (std::size_t i = 0; i < model_.contacts.size(); ++i)
-          if (model_.contacts[i].side == tooth.side)
-            m.contact_forces[i] += tooth.force;
-      }
+      for (std::size_t i = 0; i < model_.contacts.size(); ++i)
+        if (model_.contacts[i].side == tooth.side)
+          m.contact_forces[i] += tooth.force;
     if (state.contact_force.empty())
       return;
     state.contact_force.set_zero();
@@ -152,13 +138,9 @@ namespace vfife
 
   void ReducedPair::add_contact_impulse()
   {
-    double force = 0, torque = 0;
-    for (const ToothContact &tooth : pair_.teeth())
-      {
-        force += tooth.force.norm();
-        torque += tooth.torque;
-      }
-    contact_impulse_.add(options_.step, force, torque);
+    Measurements measured;
+    set_teeth(pair_.teeth(), measured);
+    contact_impulse_.add(options_.step, measured.contact_force, measured.contact_torque);
   }
 
   void ReducedPair::measure(State &state)
