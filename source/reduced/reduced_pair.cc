@@ -1,23 +1,27 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include "reduced_pair_parts.h"
+#include "matrix_stream.h"
 
 #include <vfife/base/errors.h>
+#include <vfife/base/text/byte_stream.h>
+#include <vfife/model/model.h>
 #include <vfife/model/state.h>
+#include <vfife/reduced/pair_readings.h>
+#include <vfife/reduced/reduced_pair.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace vfife
 {
-  using Eigen::MatrixXcd;
   using Eigen::VectorXcd;
   using Eigen::VectorXd;
 
   namespace
   {
-    /** Part of a tooth by which bodies may turn against each other in a step. */
-    constexpr double largest_turn = .1;
+    /** Unbalanced forces over contact forces at the start. */
+    constexpr double start_tolerance = 1e-9;
+    /** Iterations after which there a balance with points on the edges of facets will do. */
+    constexpr unsigned int start_patience = 40;
 
     const Model &require_pair(const Model &model, const std::vector<ReducedBody> &bodies)
     {
@@ -46,135 +50,70 @@ namespace vfife
                            std::vector<ReducedBody>  bodies,
                            const ReducedPairOptions &options)
     : model_(require_pair(model, bodies))
-    , options_(options)
+    , tolerance_(options.tolerance)
     , pair_(model)
-    , springs_(make_bearing_springs(model, bodies))
-    , load_(torque_on(model, model.only_transmission()->driven, 0.))
+    , drive_(model, options.step)
+    , rows_(model, members_, pair_, drive_)
+    , bearings_(model, bodies, pair_)
+    , energy_(model, members_, drive_, bearings_, now_)
   {
     std::vector<const TouchRows *> rows;
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {
-        members_.push_back(std::make_unique<Member>(model, b, std::move(bodies[b]), options));
+        members_.push_back(
+          std::make_unique<PairMember>(model,
+                                       b,
+                                       std::move(bodies[b]),
+                                       ModalDamping{options.damping, options.mesh_damping},
+                                       options.step));
         rows.push_back(&members_.back()->rows);
       }
-    answers_     = std::make_unique<Answers>(*this, rows);
-    driver_rate_ = model.only_transmission()->driver_rate;
-  }
-
-  ReducedPair::~ReducedPair() = default;
-
-  const ReducedBody &ReducedPair::body(const unsigned int b) const
-  {
-    return members_[b]->body;
-  }
-
-  double ReducedPair::speed_factor() const
-  {
-    return driver_rate_ / model_.only_transmission()->driver_rate *
-           model_.only_transmission()->rate_history.value(time_);
+    answers_ = std::make_unique<PairAnswers>(members_, rows_, bearings_, rows);
   }
 
   void ReducedPair::set_speed(const double driver_rate, const double step)
   {
-    driver_rate_  = driver_rate;
-    options_.step = step;
+    drive_.driver_rate = driver_rate;
+    drive_.step        = step;
     for (unsigned int b = 0; b < members_.size(); ++b)
       {
-        Member &member = *members_[b];
-        member.set_rate(speed_factor() * model_.bodies[b].rate);
+        PairMember &member = *members_[b];
+        member.set_rate(drive_.rate_factor() * model_.bodies[b].rate);
         member.motion.change(member.rate, step);
         member.set_gains();
       }
     stands_ = false;
     // Steps of another length are no ground to go on from.
     earlier_force_.resize(0);
-    if (nodes_.empty()) // before start()
+    if (rows_.nodes().empty()) // before start()
       return;
-    search();
+    rows_.search(now_, earlier_force_);
     now_.deflection = answers_->answer(now_.force);
-    restart_energy();
+    energy_.restart();
   }
 
-  double ReducedPair::sector_sense(const unsigned int b) const
-  {
-    return members_[b]->sense;
-  }
-
-  double ReducedPair::driver_turn(const double n_steps) const
-  {
-    const Transmission &t    = *model_.only_transmission();
-    const double        time = n_steps * options_.step;
-    return t.has_constant_rate() ? driver_turn_ + driver_rate_ * time : t.driver_turn(time_ + time);
-  }
-
-  double ReducedPair::driven_turn() const
-  {
-    return model_.only_transmission()->ratio() * driver_turn_;
-  }
-
-  VectorXd ReducedPair::rows_of(const Member &member, const VectorXd &x) const
-  {
-    VectorXd own(member.places.size());
-    for (std::size_t i = 0; i < member.places.size(); ++i)
-      own[i] = x[member.places[i]];
-    return own;
-  }
-
-  VectorXd ReducedPair::displace(const std::vector<std::vector<VectorXcd>> &coordinates) const
-  {
-    VectorXd u(n_rows());
-    for (std::size_t b = 0; b < members_.size(); ++b)
-      {
-        const Member  &member = *members_[b];
-        const VectorXd own    = member.spin * member.rows.spin() + member.rows.under(member.axial) +
-                             member.rows.displace(coordinates[b]);
-        for (std::size_t i = 0; i < member.places.size(); ++i)
-          u[member.places[i]] = own[i];
-      }
-    return u;
-  }
-
-  std::vector<ModalForces> ReducedPair::project(const PressedState &state) const
+  std::vector<ModalForces> ReducedPair::project() const
   {
     std::vector<ModalForces> forces;
     for (const auto &member : members_)
-      forces.push_back({member->rows.project(rows_of(*member, state.force)), 0.});
-    forces[model_.only_transmission()->driven].moment = state.acting.torque;
+      forces.push_back({member->rows.project(member->part_of(now_.force)), 0.});
+    forces[model_.only_transmission()->driven].moment = now_.acting.torque;
     return forces;
   }
 
   std::vector<AxialLoad> ReducedPair::advance_drive()
   {
-    driver_turn_ = driver_turn(1.);
-    ++step_;
-    time_ += options_.step;
-    pair_.set_position(driver_turn_);
-    std::vector<AxialLoad> mean;
-    for (unsigned int b = 0; b < members_.size(); ++b)
-      {
-        Member      &member = *members_[b];
-        const double before = member.rate, torque = member.axial.torque;
-        member.axial.torque = torque_on(model_, b, time_);
-        if (!model_.only_transmission()->has_constant_rate())
-          {
-            member.set_rate(speed_factor() * model_.bodies[b].rate);
-            member.axial.acceleration = (member.rate - before) / options_.step;
-            member.follow_rate(options_.step);
-          }
-        if (b == model_.only_transmission()->driver)
-          energy_.drive_work += .5 * member.inertia * (member.rate * member.rate - before * before);
-        mean.push_back({.5 * (torque + member.axial.torque), member.axial.acceleration});
-      }
-    load_     = members_[model_.only_transmission()->driven]->axial.torque;
-    now_.unit = std::max(now_.unit, std::abs(load_) / model_.only_transmission()->arm);
+    const std::vector<AxialLoad> mean = drive_.advance(members_, energy_.ledger);
+    pair_.set_position(drive_.turn);
+    now_.unit = std::max(now_.unit, std::abs(load()) / model_.only_transmission()->arm);
     return mean;
   }
 
-  bool ReducedPair::balance(const std::vector<std::vector<VectorXcd>> &coordinates,
-                            const TurnLoad                            &load)
+  bool ReducedPair::balance_at_rows(const std::vector<std::vector<VectorXcd>> &coordinates,
+                                    const TurnLoad                            &load)
   {
     // From forces that go on as they did.
-    const VectorXd base           = displace(coordinates);
+    const VectorXd base           = rows_.displace(coordinates);
     const double   present_torque = now_.acting.torque;
     double         torque         = present_torque;
     const VectorXd present        = now_.force;
@@ -189,7 +128,7 @@ namespace vfife
     try
       {
         now_.acting = pair_.evaluate(*answers_, base + now_.deflection, now_.turn, true);
-        n_iterations_ += pair_.balance(*answers_, base, load, options_.tolerance, now_);
+        n_iterations_ += pair_.balance(*answers_, base, load, tolerance_, now_);
       }
     catch (const StrayContact &)
       {
@@ -197,87 +136,245 @@ namespace vfife
         now_.acting.torque = present_torque;
         return false;
       }
-    rows_ = base + now_.deflection;
-    if (springs_.has_dampers())
-      damped_ = answers_->evaluate_bearings(rows_);
+    displacements_ = base + now_.deflection;
+    bearings_.end_step(displacements_);
     earlier_force_  = present;
     earlier_torque_ = present_torque;
     return true;
   }
 
-  void ReducedPair::check_turn(const double turned) const
+  void ReducedPair::balance(const std::vector<std::vector<VectorXcd>> &coordinates,
+                            const TurnLoad                            &load)
   {
-    const Transmission &t = *model_.only_transmission();
-    if (std::abs(turned) * t.driven_teeth < largest_turn * 2. * pi)
-      return;
-    std::ostringstream text;
-    text << "at step " << step_ << " (" << 1e3 * time_ << " ms) the driven body rotated by "
-         << turned * 180. / pi << " degrees beyond the driver in one step of "
-         << 1e6 * options_.step
-         << " us, so that flanks pass through each other. Increase Reduced/steps per mesh cycle";
-    throw NumericalError(text.str());
-  }
-
-  void ReducedPair::search_when_due()
-  {
-    if (++since_search_ < search_steps_)
-      return;
-    widening_ -= widening_ > 0 ? 1 : 0;
-    search();
-  }
-
-  void ReducedPair::balance_widely(const std::vector<std::vector<VectorXcd>> &coordinates,
-                                   const TurnLoad                            &load)
-  {
-    while (!balance(coordinates, load))
+    while (!balance_at_rows(coordinates, load))
       {
-        ++widening_;
-        search();
+        ++rows_.widening;
+        rows_.search(now_, earlier_force_);
       }
+  }
+
+  void ReducedPair::set_bearings()
+  {
+    if (bearings_.n_rows() == 0)
+      return;
+    bearings_.set(displacements_);
+    const BearingSprings::Response &present = bearings_.present();
+    now_.force.tail(present.force.size())   = present.force;
+    now_.acting.torque                      = now_.acting.contact_torque + present.torque;
+    now_.deflection                         = answers_->answer(now_.force);
   }
 
   void ReducedPair::step()
   {
-    const Transmission &t      = *model_.only_transmission();
-    const auto          before = bearings_;
-    springs_.set_dampers(before, options_.step);
-    const double             way    = torque_way();
-    const EnergyLedger       powers = find_powers();
-    std::vector<ModalForces> half   = project(now_);
+    const unsigned int driven = model_.only_transmission()->driven;
+    bearings_.begin_step(time_step());
+    energy_.begin_step();
+    std::vector<ModalForces> half = project();
 
     // 1. Where the bodies would be with half the present contact forces alone.
     const std::vector<AxialLoad> axial = advance_drive();
-    search_when_due();
+    rows_.search_when_due(now_, earlier_force_);
     std::vector<std::vector<VectorXcd>> coordinates(members_.size());
     TurnLoad                            load;
     for (std::size_t b = 0; b < members_.size(); ++b)
       {
-        const Member &member = *members_[b];
-        ModalForces   forces = member.forces_of(axial[b]);
+        const PairMember &member = *members_[b];
+        ModalForces       forces = member.forces_of(axial[b]);
         forces.add(.5, half[b]);
         half[b] = std::move(forces);
         for (std::size_t i = 0; i < half[b].modes.size(); ++i)
           coordinates[b].push_back(member.motion.expect(i, half[b]));
-        if (b == t.driven)
+        if (b == driven)
           load = {0., 1. / member.motion.turn_gain(), member.motion.expect_turn(half[b])};
       }
 
     // 2. The contact at the end of the step.
     const double turn = now_.turn;
-    balance_widely(coordinates, load);
-    check_turn(now_.turn - turn);
+    balance(coordinates, load);
+    drive_.check_turn(now_.turn - turn);
 
     // 3. The motion with the mean of the forces at both ends.
-    const std::vector<ModalForces> after = project(now_);
+    const std::vector<ModalForces> after = project();
     for (std::size_t b = 0; b < members_.size(); ++b)
       {
         half[b].add(.5, after[b]);
         members_[b]->motion.advance(half[b]);
       }
-    set_bearings(rows_);
-    add_work(axial[t.driven].torque, way, powers);
-    if (springs_.has_dampers())
-      add_damping(before);
+    set_bearings();
+    energy_.end_step(axial[driven].torque);
     add_contact_impulse();
+  }
+
+  ReducedEquilibrium ReducedPair::start(const double part, const double rate)
+  {
+    drive_.time = drive_.turn = 0;
+    drive_.n_steps = n_iterations_ = 0;
+    rows_.widening                 = 0;
+    for (unsigned int b = 0; b < members_.size(); ++b)
+      {
+        PairMember &member = *members_[b];
+        member.axial       = {torque_on(model_, b, 0.), 0.};
+        member.set_rate(drive_.rate_factor() * model_.bodies[b].rate);
+        member.follow_rate(time_step());
+      }
+    PairMember &driven = *members_[model_.only_transmission()->driven];
+    drive_.load        = part * driven.axial.torque;
+    // What the flanks have beyond the load accelerates the body.
+    driven.axial.acceleration = (1. - part) * driven.axial.torque / driven.inertia;
+    now_                      = PressedState();
+    earlier_force_.resize(0);
+    pair_.set_position(0.);
+    rows_.search(now_, earlier_force_);
+
+    // Modes give way as they do to forces that stand still in space.
+    std::vector<TouchRows>         rows;
+    std::vector<const TouchRows *> pointers;
+    for (unsigned int b = 0; b < members_.size(); ++b)
+      {
+        const PairMember &member = *members_[b];
+        rows.emplace_back(member.body,
+                          member.standing_gains(),
+                          RingAxes{member.rows.placement(), model_.only_transmission()->arm});
+        rows.back().set_nodes(PairRows::nodes_of(rows_.nodes(), b));
+      }
+    for (const TouchRows &one : rows)
+      pointers.push_back(&one);
+    PairAnswers answers(members_, rows_, bearings_, pointers);
+
+    bearings_.begin_step(0.);
+    const VectorXd base  = rows_.displace(standing_coordinates());
+    now_                 = pair_.press_rigid(answers, base, load(), settle(answers, base));
+    now_.unit            = std::abs(load()) / model_.only_transmission()->arm;
+    now_.patience        = start_patience;
+    const unsigned int n = pair_.balance(answers, base, TurnLoad{load()}, start_tolerance, now_);
+    ReducedEquilibrium found = find_slope(answers, base + now_.deflection);
+    found.turn               = now_.turn;
+    found.iterations         = n;
+
+    stand();
+    driven.motion.add_turn_rate(rate);
+    driven.axial.acceleration = 0.;
+    drive_.load               = driven.axial.torque;
+    now_.patience             = PressedState().patience;
+    displacements_            = base + now_.deflection;
+    now_.deflection           = answers_->answer(now_.force);
+    set_bearings();
+    rows_.check_reach(rows_.nodes(), rows_.displace_nodes(rows_.nodes(), now_.force));
+    energy_.restart();
+    contact_impulse_ = ContactImpulse();
+    add_contact_impulse();
+    return found;
+  }
+
+  std::vector<std::vector<VectorXcd>> ReducedPair::standing_coordinates() const
+  {
+    std::vector<std::vector<VectorXcd>> coordinates;
+    for (const auto &member : members_)
+      coordinates.push_back(member->standing_coordinates(member->axial));
+    return coordinates;
+  }
+
+  void ReducedPair::stand()
+  {
+    const std::vector<ModalForces> contact = project();
+    for (std::size_t b = 0; b < members_.size(); ++b)
+      {
+        PairMember &member = *members_[b];
+        ModalForces forces = member.forces_of(member.axial);
+        forces.add(1., contact[b]);
+        member.motion.stand(forces, member.body.turns ? now_.turn : 0., member.sector_rate);
+      }
+  }
+
+  void ReducedPair::step_standing()
+  {
+    if (!stands_)
+      for (const auto &member : members_)
+        member->rows.set_gains(member->standing_gains());
+    stands_ = true;
+    bearings_.begin_step(0.);
+    advance_drive();
+    rows_.search_when_due(now_, earlier_force_);
+    balance(standing_coordinates(), TurnLoad{load()});
+    stand();
+    set_bearings();
+  }
+
+  PressedState ReducedPair::settle(PairAnswers &answers, const VectorXd &base)
+  {
+    PressedState now;
+    now.force = now.deflection = VectorXd::Zero(base.size());
+    if (bearings_.n_rows() == 0)
+      return now;
+    now.touching = false;
+    now.unit     = std::abs(load()) / model_.only_transmission()->arm;
+    now.acting   = pair_.evaluate(answers, base, 0., false);
+    pair_.balance(answers, base, TurnLoad{}, tolerance_, now);
+    return now;
+  }
+
+  void ReducedPair::serialize(ByteStream &stream)
+  {
+    double step = time_step();
+    drive_.serialize(stream);
+    stream.pass(step, n_iterations_);
+    stream.require(step == time_step(), "a motion in steps of another length");
+    for (const auto &member : members_)
+      member->serialize(step, stream);
+    rows_.serialize(now_, earlier_force_, stream);
+    stream.pass(now_.turn, now_.unit, earlier_torque_);
+    for (VectorXd *const vector : {&now_.force, &earlier_force_, &displacements_})
+      pass_matrix(*vector, stream);
+    energy_.serialize(stream);
+    if (!stream.reads())
+      return;
+    stream.require(now_.force.size() == rows_.size() && displacements_.size() == rows_.size(),
+                   "forces at other nodes");
+    bearings_.begin_step(0.);
+    now_.acting     = pair_.evaluate(*answers_, displacements_, now_.turn, true);
+    now_.deflection = answers_->answer(now_.force);
+    bearings_.set(displacements_);
+    bearings_.end_step(displacements_);
+  }
+
+  ReducedEquilibrium ReducedPair::find_slope(PairAnswers &answers, const VectorXd &u)
+  {
+    // Per unit of the torque: the bodies twist further, and the springs answer.
+    VectorXd                            twist(u.size());
+    std::vector<std::vector<VectorXcd>> changes;
+    for (const auto &one : members_)
+      {
+        const PairMember      &member = *one;
+        const AxialLoad        unit{member.axial.torque / load(), 0.};
+        std::vector<VectorXcd> modes = member.standing_coordinates(unit);
+        const VectorXd         own   = member.rows.under(unit) + member.rows.displace(modes);
+        for (std::size_t i = 0; i < member.places.size(); ++i)
+          twist[member.places[i]] = own[i];
+        changes.push_back(std::move(modes));
+      }
+    const auto [force, turn] = pair_.find_slope(answers, u, TurnLoad{load()}, twist, 1.);
+
+    ReducedEquilibrium  slope;
+    const Transmission &t     = *model_.only_transmission();
+    double              twice = 0;
+    for (std::size_t b = 0; b < members_.size(); ++b)
+      {
+        const PairMember            &member = *members_[b];
+        const std::vector<VectorXcd> modal  = member.rows.project(member.part_of(force));
+        for (std::size_t i = 0; i < modal.size(); ++i)
+          {
+            changes[b][i] += member.motion.standing_flexibility(i, member.sector_rate) * modal[i];
+            twice += changes[b][i].squaredNorm();
+          }
+      }
+    const PairMember &driven = *members_[t.driven];
+    twice += driven.body.turn_inertia * turn * turn;
+    const double hub = turn + driven.rows.read_all(driven.body.find_reading(reading::bore_turn),
+                                                   changes[t.driven],
+                                                   driven.part_of(force),
+                                                   AxialLoad{1., 0.});
+    slope.stiffness  = std::abs(1. / hub);
+    slope.inertia    = twice / (hub * hub);
+    return slope;
   }
 } // namespace vfife

@@ -1,12 +1,15 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // What is measured of a ReducedPair.
-#include "reduced_pair_parts.h"
-
 #include <vfife/model/body_frame.h>
+#include <vfife/model/model.h>
+#include <vfife/model/pair_measures.h>
 #include <vfife/model/state.h>
 #include <vfife/reduced/pair_readings.h>
+#include <vfife/reduced/reduced_pair.h>
 
-#include <algorithm>
+#include <Eigen/Geometry>
+
+#include <array>
 #include <complex>
 
 namespace vfife
@@ -14,165 +17,75 @@ namespace vfife
   using Eigen::VectorXcd;
   using Eigen::VectorXd;
 
-  double ReducedPair::torque_way() const
+  void ReducedPair::measure_angles(Measurements &measured) const
   {
-    const Transmission &t      = *model_.only_transmission();
-    const Member       &driven = *members_[t.driven];
-    // The turn with its kinematic part, and what the modes and the residual flexibility make of the
-    // bore, as the torque sees it.
-    double way = t.driven_sense * driven_turn() + driven.motion.turn() +
-                 driven.rows.torque().dot(rows_of(driven, now_.force));
-    for (std::size_t i = 0; i < driven.body.harmonics.size(); ++i)
-      if (driven.body.harmonics[i].number == 0 && driven.body.harmonics[i].n_modes() > 0)
-        way += driven.body.harmonics[i].torque.dot(driven.motion.coordinates(i)).real();
-    return way;
-  }
-
-  EnergyLedger ReducedPair::find_powers() const
-  {
-    const Transmission &t = *model_.only_transmission();
-    EnergyLedger        powers;
-    powers.drive_work = -now_.acting.driver_torque * members_[t.driver]->rate;
-    if (springs_.size() > 0)
-      {
-        powers.drive_work -= bearings_.torques[t.driver] * members_[t.driver]->rate;
-        for (std::size_t b = 0; b < members_.size(); ++b)
-          powers.drive_work += bearings_.cage_slopes[b] * members_[b]->rate;
-      }
-    for (const auto &member : members_)
-      {
-        const auto losses = member->motion.losses();
-        powers.damping_loss += losses.first;
-        // The damper's torque acts on a body that turns as a whole.
-        powers.swing_loss += losses.second;
-        if (member->body.turns && member->motion.turn_rate() != 0.)
-          powers.mesh_damping_uptake += losses.second / member->motion.turn_rate() *
-                                        (member->rate + member->motion.turn_rate());
-      }
-    return powers;
-  }
-
-  void
-  ReducedPair::add_work(const double torque, const double way_before, const EnergyLedger &before)
-  {
-    const EnergyLedger after = find_powers();
-    const double       half  = .5 * options_.step;
-    energy_.drive_work += half * (before.drive_work + after.drive_work);
-    energy_.damping_loss += half * (before.damping_loss + after.damping_loss);
-    energy_.mesh_damping_uptake += half * (before.mesh_damping_uptake + after.mesh_damping_uptake);
-    energy_.swing_loss += half * (before.swing_loss + after.swing_loss);
-    energy_.torque_work += torque * (torque_way() - way_before);
-  }
-
-  void ReducedPair::restart_energy()
-  {
-    energy_ = EnergyLedger();
-    measure_energy();
-    energy_.start = energy_.kinetic + energy_.strain + energy_.contact;
-    energy_.scale = EnergyLedger::scale_floor * energy_.kinetic;
-    first_energy_ = energy_;
-  }
-
-  void ReducedPair::measure_energy()
-  {
-    energy_.kinetic = energy_.kinetic_relative = energy_.strain = 0;
-    for (const auto &one : members_)
-      {
-        const Member  &member = *one;
-        const VectorXd force  = rows_of(member, now_.force);
-        const double   rate   = member.rate + member.motion.turn_rate();
-        energy_.kinetic_relative += member.motion.kinetic();
-        energy_.kinetic += .5 * member.inertia * rate * rate +
-                           member.rate * member.rate * member.motion.added_inertia();
-        energy_.strain += member.motion.strain();
-        // What the residual flexibility stores: that at once, less the modes' part of it.
-        energy_.strain += .5 * force.dot(rows_of(member, now_.deflection)) +
-                          member.rows.under(member.axial).dot(force);
-        const std::vector<VectorXcd> modal = member.rows.project(force);
-        for (std::size_t i = 0; i < modal.size(); ++i)
-          energy_.strain -= .5 * modal[i].dot(member.motion.gain(i) * modal[i]).real();
-      }
-    energy_.strain += bearings_.energy;
-    energy_.kinetic += energy_.kinetic_relative;
-    energy_.contact = now_.acting.contact_energy;
-    energy_.scale   = std::max(energy_.scale, energy_.exchanged_since(first_energy_));
-  }
-
-  double ReducedPair::read_turn(const Member &member, const char *const reading) const
-  {
-    return member.motion.turn() + member.rows.read_all(member.body.find_reading(reading),
-                                                       member.coordinates(),
-                                                       rows_of(member, now_.force),
-                                                       member.axial);
-  }
-
-  void ReducedPair::measure_transmission(Measurements &measured) const
-  {
-    // As measure_transmission() of explicit runs: starts and leads of the driven body's bore or rim
-    // and of the driver's bore.
-    const Transmission &t           = *model_.only_transmission();
-    const Member       &driven      = *members_[t.driven];
-    const double        turned      = driven_turn();
-    const double        bore        = t.driven_sense * read_turn(driven, reading::bore_turn);
-    const double        rim         = t.driven_sense * read_turn(driven, reading::rim_turn);
-    const double        drive       = t.driver_bore.empty()
-                                        ? 0.
-                                        : t.driver_sense * read_turn(*members_[t.driver], reading::bore_turn);
-    const double        start       = t.driven_start - t.ratio() * (t.driver_start + drive);
-    measured.driver_angle           = t.driver_start + driver_turn_ + drive;
-    measured.driven_angle           = t.driven_start + turned + bore;
-    measured.rim_angle              = t.driven_start + turned + rim;
-    measured.transmission_error     = start + bore;
-    measured.rim_transmission_error = start + rim;
+    const Transmission &t    = *model_.only_transmission();
+    const auto          read = [&](const unsigned int b, const char *const reading) {
+      return members_[b]->read_turn(reading, members_[b]->part_of(now_.force));
+    };
+    measured.driver_angle =
+      t.driver_bore.empty() ? 0. : t.driver_sense * read(t.driver, reading::bore_turn);
+    measured.driven_angle = t.driven_sense * read(t.driven, reading::bore_turn);
+    measured.rim_angle    = t.driven_sense * read(t.driven, reading::rim_turn);
+    complete_angles(t, drive_.turn, measured);
   }
 
   void ReducedPair::measure_contact(State &state) const
   {
     Measurements &m = state.measured;
-    m.teeth         = pair_.teeth();
-    m.contact_force = m.contact_torque = m.largest_penetration = 0;
-    m.teeth_in_contact                                         = m.teeth.size();
+    set_teeth(pair_.teeth(), m);
     m.contact_forces.assign(model_.contacts.size(), Vector3::Zero());
     for (const ToothContact &tooth : m.teeth)
-      {
-        m.contact_force += tooth.force.norm();
-        m.contact_torque += tooth.torque;
-        m.largest_penetration = std::max(m.largest_penetration, tooth.penetration);
-        for (std::size_t i = 0; i < model_.contacts.size(); ++i)
-          if (model_.contacts[i].side == tooth.side)
-            m.contact_forces[i] += tooth.force;
-      }
+      for (std::size_t i = 0; i < model_.contacts.size(); ++i)
+        if (model_.contacts[i].side == tooth.side)
+          m.contact_forces[i] += tooth.force;
     if (state.contact_force.empty())
       return;
     state.contact_force.set_zero();
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
-      state.contact_force.set(model_.bodies[nodes_[i].first].first_node + nodes_[i].second,
-                              pair_.to_fixed_frame(i, now_.force.segment<3>(3 * i)));
+    for (std::size_t i = 0; i < rows_.nodes().size(); ++i)
+      {
+        const auto &[b, node] = rows_.nodes()[i];
+        state.contact_force.set(model_.bodies[b].first_node + node,
+                                pair_.to_fixed_frame(i, now_.force.segment<3>(3 * i)));
+      }
   }
 
   void ReducedPair::add_contact_impulse()
   {
-    double force = 0, torque = 0;
-    for (const ToothContact &tooth : pair_.teeth())
-      {
-        force += tooth.force.norm();
-        torque += tooth.torque;
-      }
-    contact_impulse_.add(options_.step, force, torque);
+    Measurements measured;
+    set_teeth(pair_.teeth(), measured);
+    contact_impulse_.add(time_step(), measured.contact_force, measured.contact_torque);
+  }
+
+  double ReducedPair::measure_drive_torque() const
+  {
+    const PairMember &driver = *members_[model_.only_transmission()->driver];
+    double torque = driver.inertia * driver.axial.acceleration - now_.acting.driver_torque;
+    if (!driver.in_bearings())
+      return torque;
+    // What turns the shaft's end.
+    torque = 0;
+    for (const Coupling &coupling : model_.couplings)
+      if (coupling.body == model_.only_transmission()->driver)
+        {
+          const auto [way, rate] = driver.twist(coupling, driver.part_of(now_.force));
+          torque -= coupling.stiffness * way + coupling.damping * rate;
+        }
+    return torque;
   }
 
   void ReducedPair::measure(State &state)
   {
-    state.time = time_;
-    state.step = step_;
-    state.dt   = options_.step;
-    measure_transmission(state.measured);
+    state.time = drive_.time;
+    state.step = drive_.n_steps;
+    state.dt   = time_step();
+    measure_angles(state.measured);
     measure_contact(state);
-    measure_energy();
-    state.measured.energy = energy_;
-    measure_bearings(state.measured);
+    energy_.measure();
+    state.measured.energy       = energy_.ledger;
+    state.measured.bearings     = bearings_.measure(drive_.n_steps > 0);
     state.measured.drive_torque = measure_drive_torque();
-    state.measured.rate_factor  = speed_factor();
+    state.measured.rate_factor  = drive_.rate_factor();
     state.measured.body_rates.clear();
     for (const auto &member : members_)
       state.measured.body_rates.push_back(member->rate + member->motion.turn_rate() +
@@ -182,15 +95,15 @@ namespace vfife
 
   ReducedPair::Reader ReducedPair::reader(const unsigned int b) const
   {
-    const Member &member = *members_[b];
-    return [&member,
-            coordinates = member.coordinates(),
-            force       = VectorXd(rows_of(member, now_.force))](const unsigned int reading,
-                                                           const unsigned int sector) {
-      const std::size_t row = 3 * member.body.touch_nodes.size() + reading;
-      return member.spin * member.body.spin[row] +
-             member.rows.read(reading, sector, coordinates, force, member.axial);
-    };
+    const PairMember &member = *members_[b];
+    return
+      [&member,
+       coordinates = member.coordinates(),
+       force = member.part_of(now_.force)](const unsigned int reading, const unsigned int sector) {
+        const std::size_t row = 3 * member.body.touch_nodes.size() + reading;
+        return member.spin * member.body.spin[row] +
+               member.rows.read(reading, sector, coordinates, force, member.axial);
+      };
   }
 
   std::vector<ProbeValue> ReducedPair::measure_probes(const std::vector<Probe> &probes) const
@@ -219,8 +132,8 @@ namespace vfife
 
   std::vector<VectorXcd> ReducedPair::measure_modal_forces(const unsigned int body) const
   {
-    const Member &member = *members_[body];
-    return member.rows.project(rows_of(member, now_.force));
+    const PairMember &member = *members_[body];
+    return member.rows.project(member.part_of(now_.force));
   }
 
   double ReducedPair::measure_turn(const unsigned int body) const
@@ -232,10 +145,10 @@ namespace vfife
   {
     // A wave is the sum over sectors k of exp(i n k alpha) (a_k + i b_k), a and b its readings
     // [mm]: of all nodes of the rim, share u exp(i n alpha).
-    Member                      &member      = *members_[model_.only_transmission()->driven];
+    PairMember                  &member      = *members_[model_.only_transmission()->driven];
     const ReducedBody           &body        = member.body;
     const std::vector<VectorXcd> coordinates = member.coordinates();
-    const VectorXd               force       = rows_of(member, now_.force);
+    const VectorXd               force       = member.part_of(now_.force);
     std::vector<double>          coefficients;
     for (unsigned int c = 0; c < 3; ++c)
       {
@@ -258,5 +171,39 @@ namespace vfife
           }
       }
     return coefficients;
+  }
+
+  MeanMotion::Motion ReducedPair::measure_ring(const unsigned int b, const std::string &name) const
+  {
+    const PairMember                 &member = *members_[b];
+    const unsigned int                ring   = member.body.rings.find(name);
+    const Eigen::Matrix<double, 6, 1> motion = member.rows.read_ring(
+      ring, member.spin, member.coordinates(), member.part_of(now_.force), member.axial);
+    const Matrix3 &R    = pair_.rotations()[b];
+    const Vector3  turn = R * motion.tail<3>();
+    const Body    &body = model_.bodies[b];
+    // A ring beside the axis goes around it.
+    const Vector3 from_axis = body.placement(member.body.rings.centres[ring]) - body.axis.point;
+    MeanMotion::Motion placed;
+    placed.displacement = R * motion.head<3>() + R * from_axis - from_axis;
+    placed.rotation     = R;
+    if (turn.norm() > 0)
+      placed.rotation = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix() * R;
+    return placed;
+  }
+
+  std::vector<double> ReducedPair::places_of(const unsigned int               b,
+                                             const std::vector<unsigned int> &nodes) const
+  {
+    std::vector<PairRows::NodeOfBody> of_body;
+    for (const unsigned int node : nodes)
+      of_body.emplace_back(b, node);
+    const VectorXd      u    = rows_.displace_nodes(of_body, now_.force);
+    const Body         &body = model_.bodies[b];
+    std::vector<double> places(3 * nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      Eigen::Map<Vector3>(places.data() + 3 * i) =
+        pair_.place(b, body.placement(body.node_positions()[nodes[i]]) + u.segment<3>(3 * i));
+    return places;
   }
 } // namespace vfife

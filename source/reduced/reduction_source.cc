@@ -4,6 +4,7 @@
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/constraints/supports.h>
 #include <vfife/model/model.h>
+#include <vfife/reduced/body_reduction.h>
 #include <vfife/reduced/reduction_source.h>
 
 #include <boost/crc.hpp>
@@ -96,11 +97,9 @@ namespace vfife
     }
   } // namespace
 
-  ReductionSource::ReductionSource(const Model                      &model,
-                                   const unsigned int                b,
-                                   const std::vector<unsigned int>  &touch_nodes,
-                                   const std::vector<SectorReading> &readings,
-                                   const FemOptions                 &fem)
+  ReductionSource::ReductionSource(const Model            &model,
+                                   const unsigned int      b,
+                                   const ReductionOptions &options)
   {
     const Body &body = model.bodies[b];
     const auto  add  = [this](const char *const name, const auto &pass) {
@@ -116,15 +115,15 @@ namespace vfife
     add("list of bearings and couplings",
         [&](ByteStream &stream) { pass_seats(model, b, stream); });
     add("kind of elements", [&](ByteStream &stream) {
-      FemOptions options = fem;
-      stream.pass(options.element, options.geometry, options.mass, options.strain);
+      FemOptions fem = options.fem;
+      stream.pass(fem.element, fem.geometry, fem.mass, fem.strain);
     });
     add("list of contact nodes", [&](ByteStream &stream) {
-      std::vector<unsigned int> nodes = touch_nodes;
+      std::vector<unsigned int> nodes = options.touch_nodes;
       stream.pass(nodes);
     });
     add("list of probes, waves and fillets", [&](ByteStream &stream) {
-      for (SectorReading reading : readings)
+      for (SectorReading reading : options.readings)
         stream.pass(reading.name, reading.weights);
     });
     const Matrix3 back      = body.placement.rotation.transpose();

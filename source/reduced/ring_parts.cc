@@ -87,44 +87,38 @@ namespace vfife
     return rows;
   }
 
-  void RingParts::add(const CyclicBody             &body,
-                      CyclicHarmonic               &sector,
-                      const CyclicModes            &modes,
-                      const std::vector<SectorRow> &rows,
-                      const std::vector<SectorRow> &ring_rows,
-                      ReducedBody::Harmonic        &harmonic)
+  void
+  RingParts::add(CyclicHarmonic &sector, const CyclicModes &modes, ReducedBody::Harmonic &harmonic)
   {
-    if (ring_rows.empty())
+    if (ring_rows_.empty())
       return;
     const unsigned int h  = harmonic.number;
-    const MatrixXcd    Pi = make_projector(body, h, ring_rows.size() / 6);
-    const double       N  = body.n_sectors();
-    harmonic.rings        = MatrixXcd::Zero(ring_rows.size(), harmonic.n_modes());
+    const MatrixXcd    Pi = make_projector(body_, h, ring_rows_.size() / 6);
+    const double       N  = body_.n_sectors();
+    harmonic.rings        = MatrixXcd::Zero(ring_rows_.size(), harmonic.n_modes());
     if (!modes.vectors.empty())
-      harmonic.rings = N * Pi * sector.read(modes, ring_rows);
-    std::vector<SectorRow> all = rows;
-    all.insert(all.end(), ring_rows.begin(), ring_rows.end());
-    const MatrixXcd under = (h == 0 ? 1. : 2.) * sector.answers(ring_rows, all) * Pi;
+      harmonic.rings = N * Pi * sector.read(modes, ring_rows_);
+    std::vector<SectorRow> all = rows_;
+    all.insert(all.end(), ring_rows_.begin(), ring_rows_.end());
+    const MatrixXcd under = (h == 0 ? 1. : 2.) * sector.answers(ring_rows_, all) * Pi;
     const MatrixXcd modal = static_modes(harmonic, harmonic.rings.adjoint());
-    answers_[h]           = under.topRows(rows.size()) - harmonic.shapes * modal;
+    answers_[h]           = under.topRows(rows_.size()) - harmonic.shapes * modal;
     const MatrixXd part =
-      (N * Pi * under.bottomRows(ring_rows.size()) - harmonic.rings * modal).real();
+      (N * Pi * under.bottomRows(ring_rows_.size()) - harmonic.rings * modal).real();
     residual_ = residual_.size() > 0 ? MatrixXd(residual_ + part) : part;
   }
 
-  void RingParts::add_axial(const CyclicBody             &body,
-                            CyclicHarmonic               &sector,
-                            const std::vector<SectorRow> &ring_rows,
-                            const ReducedBody::Harmonic  &harmonic)
+  void RingParts::add_axial(CyclicHarmonic &sector, const ReducedBody::Harmonic &harmonic)
   {
-    if (ring_rows.empty())
+    if (ring_rows_.empty())
       return;
-    const MatrixXd whole = body.n_sectors() * make_projector(body, 0, ring_rows.size() / 6).real();
-    const auto     modal_part = [&](const Eigen::VectorXcd &force) -> VectorXd {
+    const MatrixXd whole =
+      body_.n_sectors() * make_projector(body_, 0, ring_rows_.size() / 6).real();
+    const auto modal_part = [&](const Eigen::VectorXcd &force) -> VectorXd {
       return (harmonic.rings * static_modes(harmonic, force)).real();
     };
-    torque_ = whole * sector.answer(body.torque(), ring_rows) - modal_part(harmonic.torque);
-    euler_  = whole * sector.euler_answer(ring_rows) - modal_part(harmonic.euler);
+    torque_ = whole * sector.answer(body_.torque(), ring_rows_) - modal_part(harmonic.torque);
+    euler_  = whole * sector.euler_answer(ring_rows_) - modal_part(harmonic.euler);
   }
 
   void RingParts::pass(ByteStream &stream)

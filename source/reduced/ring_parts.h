@@ -31,25 +31,29 @@ namespace vfife
   class RingParts
   {
   public:
+    /** @p ring_rows: of describe_rings(). All must outlive the object. */
+    RingParts(const CyclicBody             &body,
+              const std::vector<SectorRow> &rows,
+              const std::vector<SectorRow> &ring_rows)
+      : body_(body)
+      , rows_(rows)
+      , ring_rows_(ring_rows)
+    {
+    }
+
     /** Sets Harmonic::rings, of which eigenvalues and shapes are known. */
-    void add(const CyclicBody             &body,
-             CyclicHarmonic               &sector,
-             const CyclicModes            &modes,
-             const std::vector<SectorRow> &rows,
-             const std::vector<SectorRow> &ring_rows,
-             ReducedBody::Harmonic        &harmonic);
+    void add(CyclicHarmonic &sector, const CyclicModes &modes, ReducedBody::Harmonic &harmonic);
 
     /** h = 0: under a torque and an angular acceleration about the axis. */
-    void add_axial(const CyclicBody             &body,
-                   CyclicHarmonic               &sector,
-                   const std::vector<SectorRow> &ring_rows,
-                   const ReducedBody::Harmonic  &harmonic);
+    void add_axial(CyclicHarmonic &sector, const ReducedBody::Harmonic &harmonic);
 
     void pass(ByteStream &stream);
     /** Adds the parts. */
     void move_to(ReducedBody::Rings &rings);
 
   private:
+    const CyclicBody               &body_;
+    const std::vector<SectorRow>   &rows_, &ring_rows_;
     std::array<Eigen::MatrixXcd, 2> answers_;
     Eigen::MatrixXd                 residual_;
     Eigen::VectorXd                 torque_, euler_;

@@ -41,11 +41,12 @@ namespace vfife
       for (unsigned int b = 0; b < model.bodies.size(); ++b)
         bodies.push_back(reduce_body(model,
                                      b,
-                                     list_touch_nodes(model, b),
-                                     list_readings(model, b, fem, 0),
-                                     fem,
-                                     {cutoff, options.reach},
-                                     model.bodies[b].rate,
+                                     {list_touch_nodes(model, b),
+                                      list_readings(model, b, fem, 0),
+                                      fem,
+                                      model.bodies[b].rate,
+                                      cutoff,
+                                      options.reach},
                                      communicator));
       const ModalDamping damping{dynamics.mass_damping(), dynamics.mesh_damping};
       ReducedPair        pair(model,

@@ -30,11 +30,12 @@ namespace pair_of_bodies
     for (unsigned int b = 0; b < 2; ++b)
       bodies.push_back(reduce_body(model,
                                    b,
-                                   list_touch_nodes(model, b),
-                                   list_readings(model, b, fem, 2),
-                                   fem,
-                                   {2. * pi * cutoff, reach},
-                                   model.bodies[b].rate,
+                                   {list_touch_nodes(model, b),
+                                    list_readings(model, b, fem, 2),
+                                    fem,
+                                    model.bodies[b].rate,
+                                    2. * pi * cutoff,
+                                    reach},
                                    world));
     return bodies;
   }

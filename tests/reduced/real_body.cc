@@ -172,8 +172,15 @@ namespace
     std::ostringstream screen;
     Log                log(screen, false);
     ReducedOptions     options;
-    const auto         bodies = reduce_pair(
-      model, options, options.fem(StiffnessKind::incompatible_modes), 60e3, 1., world, log);
+    const auto         bodies = reduce_pair(model,
+                                    {options.store,
+                                             options.reach,
+                                             options.fem(StiffnessKind::incompatible_modes),
+                                             60e3,
+                                             1.,
+                                             nullptr},
+                                    world,
+                                    log);
     {
       const OutputFolder results(folder, world);
       export_bodies(bodies, model, results);

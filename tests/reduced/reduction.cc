@@ -347,7 +347,7 @@ namespace
   {
     const double      rate    = model.bodies[0].rate;
     const ReducedBody reduced = reduce_body(
-      model, 0, first_sector(model.bodies[0]), {}, fem, {cutoff, 100}, rate, communicator);
+      model, 0, {first_sector(model.bodies[0]), {}, fem, rate, cutoff, 100}, communicator);
     const Whole whole(model, loose, fem, communicator);
     compare_frequencies(name, reduced, whole);
     if (whole.has_nodes_only())
@@ -432,7 +432,7 @@ namespace
   {
     Model      model = make_wheel(ConstraintKind::rigid_hub, 0.);
     Body      &wheel = model.bodies[0];
-    const auto make  = [&] { return ReductionSource(model, 0, {}, {}, {}); };
+    const auto make  = [&] { return ReductionSource(model, 0, {}); };
     const auto heat  = [&](const double strain) {
       wheel.add_initial_strains(std::vector<double>(wheel.n_elements(), strain));
       return make();
@@ -452,7 +452,7 @@ namespace
     const Model model = make_pinion(ConstraintKind::rigid_hub, 2000., communicator);
     const auto  nodes = first_sector(model.bodies[0]);
     const auto  below = [&](const double cutoff) {
-      return reduce_body(model, 0, nodes, {}, {}, {cutoff, 2}, 2000., communicator);
+      return reduce_body(model, 0, {nodes, {}, {}, 2000., cutoff, 2}, communicator);
     };
     const ReducedBody few = below(2e5), many = below(6e5);
     check("more modes with the higher cut-off", 2 * few.n_modes() < many.n_modes());
@@ -510,9 +510,11 @@ namespace
          {ConstraintKind::prescribed_rotation, ConstraintKind::rigid_hub})
       {
         const Model model   = make_wheel(hub, rate);
-        ReducedBody reduced = reduce_body(
-          model, 0, first_sector(model.bodies[0]), {}, {}, {1.5e6, 1}, rate, communicator);
-        FemOptions fem;
+        ReducedBody reduced = reduce_body(model,
+                                          0,
+                                          {first_sector(model.bodies[0]), {}, {}, rate, 1.5e6, 1},
+                                          communicator);
+        FemOptions  fem;
         fem.coriolis             = true;
         fem.n_modes              = 40;
         const ModesAtSpeed whole = RotatingBody(model, 0, fem, communicator).find_modes(rate);
@@ -557,8 +559,10 @@ namespace
         const double other = rate != 0 ? .5 * rate : 4000.;
         const auto   at    = [&](const double omega) {
           const Model model = make_wheel(ConstraintKind::free_rotation, omega);
-          return reduce_body(
-            model, 0, first_sector(model.bodies[0]), {}, {}, {6e5, 1}, omega, communicator);
+          return reduce_body(model,
+                             0,
+                             {first_sector(model.bodies[0]), {}, {}, omega, 6e5, 1},
+                             communicator);
         };
         const ReducedBody here = at(rate), there = at(other);
         double            worst = 0, change = 0;
@@ -603,7 +607,7 @@ namespace
     readings[2] = {"both", readings[0].weights, 17.};
     readings[2].weights.push_back(readings[1].weights[0]);
     const auto reduce = [&](const unsigned int reach) {
-      return reduce_body(model, 0, touch, readings, {}, {4e5, reach}, body.rate, communicator);
+      return reduce_body(model, 0, {touch, readings, {}, body.rate, 4e5, reach}, communicator);
     };
     const ReducedBody all = reduce(6), some = reduce(2);
     const std::size_t n = 3 * touch.size();
@@ -655,11 +659,8 @@ namespace
   void refusals(const Communicator &communicator)
   {
     const auto refuse_node = [&](const Model &model, const unsigned int node, const double cutoff) {
-      const std::vector<unsigned int>  touch(1, node);
-      const std::vector<SectorReading> none;
-      const ReductionOptions           options{cutoff, 2};
-      print_refusal(
-        [&]() { reduce_body(model, 0, touch, none, FemOptions(), options, 3000., communicator); });
+      const ReductionOptions options{{node}, {}, {}, 3000., cutoff, 2};
+      print_refusal([&]() { reduce_body(model, 0, options, communicator); });
     };
     const auto refuse = [&](const auto &change) {
       Model model = make_wheel(ConstraintKind::rigid_hub, 3000.);
@@ -692,8 +693,7 @@ namespace
     // Without spin there is no mean over turns.
     print_refusal([&]() {
       const Model model = hang_in_bearings(make_wheel({}, 0.), "inner", 1e4, 1.01, 1e6);
-      reduce_body(
-        model, 0, first_sector(model.bodies[0]), {}, FemOptions(), {4e5, 2}, 0., communicator);
+      reduce_body(model, 0, {first_sector(model.bodies[0]), {}, {}, 0., 4e5, 2}, communicator);
     });
     refuse([](Model &model) { model.bodies[0].axis.direction = Vector3::UnitX(); });
   }

@@ -27,15 +27,12 @@ int main(int argc, char **argv)
         for (const unsigned int node : surface.second.nodes)
           if (node < per_sector)
             touch.insert(node);
-      const double      start   = MPI_Wtime();
-      const ReducedBody reduced = reduce_body(model,
-                                              b,
-                                              std::vector<unsigned int>(touch.begin(), touch.end()),
-                                              {},
-                                              FemOptions(),
-                                              {2. * pi * cutoff, reach},
-                                              body.rate,
-                                              world);
+      const double      start = MPI_Wtime();
+      const ReducedBody reduced =
+        reduce_body(model,
+                    b,
+                    {{touch.begin(), touch.end()}, {}, {}, body.rate, 2. * pi * cutoff, reach},
+                    world);
       if (world.is_root())
         {
           std::cout << body.name() << ": " << body.mesh().structure.n_sectors() << " sectors of "

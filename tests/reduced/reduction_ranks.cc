@@ -16,8 +16,8 @@ namespace
     const Model        model = make_wheel(ConstraintKind::rigid_hub, 3000.);
     const auto         nodes = first_sector(model.bodies[0]);
     const Communicator alone(MPI_COMM_SELF);
-    const ReducedBody  one = reduce_body(model, 0, nodes, {}, {}, {4e5, 3}, 3000., alone),
-                      two  = reduce_body(model, 0, nodes, {}, {}, {4e5, 3}, 3000., world);
+    const ReducedBody  one = reduce_body(model, 0, {nodes, {}, {}, 3000., 4e5, 3}, alone),
+                      two  = reduce_body(model, 0, {nodes, {}, {}, 3000., 4e5, 3}, world);
     bool same = one.harmonics.size() == two.harmonics.size() && one.n_unknowns == two.n_unknowns &&
                 one.memory == two.memory && one.torque_residual == two.torque_residual &&
                 one.turn_coriolis == two.turn_coriolis && one.spin == two.spin;
@@ -43,7 +43,7 @@ namespace
     equal = world.all(equal && world.max(two.residual_left) == two.residual_left);
     // Harmonics of one of the ranks have too many modes.
     const std::string message = message_of([&] {
-      reduce_body(model, 0, nodes, {}, {}, {4.7e6, 3}, 3000., world);
+      reduce_body(model, 0, {nodes, {}, {}, 3000., 4.7e6, 3}, world);
     });
     const bool        refused = world.all(!message.empty());
     if (world.is_root())

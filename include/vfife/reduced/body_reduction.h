@@ -12,27 +12,28 @@ namespace vfife
 {
   class Communicator;
 
+  /** What a body is reduced for. */
   struct ReductionOptions
   {
-    double       cutoff = 0; ///< modes below are kept [rad/s]
-    unsigned int reach  = 4; ///< sectors on each side of a loaded one whose residual is kept
+    std::vector<unsigned int>  touch_nodes; ///< of sector 0, that forces act on
+    std::vector<SectorReading> readings;
+    FemOptions                 fem;
+    double                     rate   = 0; ///< of the steady spin [rad/s]
+    double                     cutoff = 0; ///< modes below are kept [rad/s]
+    unsigned int reach = 4; ///< sectors on each side of a loaded one whose residual is kept
   };
 
   /**
-   * Modes and residual flexibility of a cyclic body of @p model about its state of steady spin at
-   * @p rate [rad/s], from one sector (doc/theory/reduced.md). @p touch_nodes: of sector 0, that
-   * forces act on. Ranks share the harmonics. Throws InputError for bodies that CyclicBody refuses,
-   * for nodes that there are not, and where the mesh has too few unknowns for the cut-off;
-   * NumericalError where the body is not stable. Collective, equal on all ranks.
+   * Modes and residual flexibility of a cyclic body of @p model about its state of steady spin,
+   * from one sector (doc/theory/reduced.md). Ranks share the harmonics. Throws InputError for
+   * bodies that CyclicBody refuses, for nodes that there are not, and where the mesh has too few
+   * unknowns for the cut-off; NumericalError where the body is not stable. Collective, equal on all
+   * ranks.
    */
-  ReducedBody reduce_body(const Model                     &model,
-                          unsigned int                     body,
-                          const std::vector<unsigned int> &touch_nodes,
-                          std::vector<SectorReading>       readings,
-                          const FemOptions                &fem,
-                          const ReductionOptions          &options,
-                          double                           rate,
-                          const Communicator              &communicator);
+  ReducedBody reduce_body(const Model            &model,
+                          unsigned int            body,
+                          const ReductionOptions &options,
+                          const Communicator     &communicator);
 } // namespace vfife
 
 #endif

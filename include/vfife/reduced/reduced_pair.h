@@ -4,15 +4,15 @@
 
 #include <vfife/bearing/mean_motion.h>
 #include <vfife/contact/contact_impulse.h>
-#include <vfife/fem/pair/bearing_springs.h>
 #include <vfife/fem/pair/pressed_pair.h>
-#include <vfife/reduced/modal_motion.h>
+#include <vfife/reduced/pair/pair_energy.h>
+#include <vfife/reduced/pair/pair_rows.h>
 #include <vfife/reduced/reduced_body.h>
 
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <utility>
+#include <string>
 #include <vector>
 
 namespace vfife
@@ -59,7 +59,7 @@ namespace vfife
     ReducedPair(const Model              &model,
                 std::vector<ReducedBody>  bodies,
                 const ReducedPairOptions &options);
-    ~ReducedPair();
+    ReducedPair(const ReducedPair &) = delete; // its parts refer to each other
 
     /** The equilibrium at time zero, which stands still in space. @p part of the load on the
      * flanks, the rest accelerates the driven body, which has the @p rate [rad/s] beyond its
@@ -126,121 +126,67 @@ namespace vfife
     {
       return n_iterations_;
     }
-    const ReducedBody &body(unsigned int b) const;
+    const ReducedBody &body(const unsigned int b) const
+    {
+      return members_[b]->body;
+    }
     /** Of Body::axis about the axis of the body's sectors: 1 or -1. */
-    double sector_sense(unsigned int b) const;
+    double sector_sense(const unsigned int b) const
+    {
+      return members_[b]->sense;
+    }
     /** [s] */
     double time_step() const
     {
-      return options_.step;
+      return drive_.step;
     }
     /** On the driven body about its axis now [N mm]. */
     double load() const
     {
-      return load_;
+      return drive_.load;
     }
 
   private:
-    struct Member;
-    class Answers;
-    using NodeOfBody = std::pair<unsigned int, unsigned int>;
-
-    /** Of the driver since time zero after @p n_steps more steps [rad]. */
-    double driver_turn(double n_steps) const;
-    /** Rates now over those of the model at time zero. */
-    double speed_factor() const;
-    /** Turn, rates and torques go on to the end of the step that begins: returns their means in it,
-     * by body. */
+    /** The drive goes on to the end of the step that begins: returns the mean loads of bodies. */
     std::vector<AxialLoad> advance_drive();
-    /** Throws NumericalError where the driven body turns so far [rad] in a step beyond the driver.
-     */
-    void   check_turn(double turned) const;
-    double driven_turn() const; ///< kinematic, in the drive direction [rad]
-    /** Looks for what may touch in the steps until the next search. */
-    void search();
-    void search_when_due();
-    /** Finds the contact at the end of a step, with more nodes where it comes upon some that were
-     * not looked at. */
-    void balance_widely(const std::vector<std::vector<Eigen::VectorXcd>> &coordinates,
-                        const TurnLoad                                   &load);
+    /** Finds the contact at the end of a step, were the modes then at @p coordinates without it,
+     * with more nodes where it comes upon some that were not looked at. */
+    void balance(const std::vector<std::vector<Eigen::VectorXcd>> &coordinates,
+                 const TurnLoad                                   &load);
+    /** The same; returns false where the contact comes upon nodes without rows. */
+    bool balance_at_rows(const std::vector<std::vector<Eigen::VectorXcd>> &coordinates,
+                         const TurnLoad                                   &load);
     /** Coordinates of all modes under the axial loads alone where they stand still in space. */
     std::vector<std::vector<Eigen::VectorXcd>> standing_coordinates() const;
     /** Modes and turn become those that stand still under the present contact. */
     void stand();
-    /** From now on rows are of these nodes; forces at nodes that stay go with them. */
-    void set_rows(std::vector<NodeOfBody> nodes);
-    /** Where nodes are displaced to now (3 each, axes of time zero) [mm]. */
-    Eigen::VectorXd displace_nodes(const std::vector<NodeOfBody> &nodes) const;
-    /** Those of body @p b, in their order. */
-    static std::vector<unsigned int> nodes_of(const std::vector<NodeOfBody> &nodes, unsigned int b);
-    /** Of a node's rows, in the axes of time zero. */
-    Matrix3 axes_of(unsigned int body, unsigned int node) const;
-    /** Rows in the state of spin, under the torques, and with the modes' @p coordinates by body. */
-    Eigen::VectorXd displace(const std::vector<std::vector<Eigen::VectorXcd>> &coordinates) const;
-    Eigen::VectorXd rows_of(const Member &member, const Eigen::VectorXd &x) const;
-    Eigen::Index    n_rows() const
-    {
-      return owners_.size();
-    }
     /** Bearings without contact, from the linear ones. */
-    PressedState settle(Answers &answers, const Eigen::VectorXd &base);
-    /** Takes the bearings at the displacements @p u of the rows as their state, without dampers. */
-    void set_bearings(const Eigen::VectorXd &u);
-    /** Throws NumericalError where bearings let the flanks move farther than contact is looked for;
-     * @p u: of the candidates @p nodes, axes of time zero. */
-    void check_reach(const std::vector<NodeOfBody> &nodes, const Eigen::VectorXd &u) const;
-    /** Finds the contact at the end of a step, were the modes then at @p coordinates without it;
-     * not where it comes upon nodes without rows. */
-    bool balance(const std::vector<std::vector<Eigen::VectorXcd>> &coordinates,
-                 const TurnLoad                                   &load);
-    /** What the contact does to the modes and the turn of each body. */
-    std::vector<ModalForces> project(const PressedState &state) const;
-    ReducedEquilibrium       find_slope(Answers &answers, const Eigen::VectorXd &u);
-    /** Way of the torque about the axis, of the driven body's turn and of its bore [rad]. */
-    double torque_way() const;
-    /** Of a step, with the mean @p torque on the driven body. */
-    void add_work(double torque, double way_before, const EnergyLedger &powers_before);
-    /** Powers now: of what drives and what is lost [mJ/s]. */
-    EnergyLedger find_powers() const;
-    /** Of the dampers of bearings in a step from the state @p before. */
-    void   add_damping(const BearingSprings::Response &before);
-    void   measure_transmission(Measurements &measured) const;
-    void   measure_bearings(Measurements &measured) const;
-    double measure_drive_torque() const;
-    void   measure_contact(State &state) const;
-    void   add_contact_impulse();
-    void   measure_energy();
-    void   restart_energy();
-    /** Mean rotation of bore or rim about the axis beyond the kinematic turn [rad]. */
-    double read_turn(const Member &member, const char *reading) const;
+    PressedState settle(PairAnswers &answers, const Eigen::VectorXd &base);
+    /** Takes the bearings at the end of the step as their state, without dampers. */
+    void set_bearings();
+    /** What the present contact does to the modes and the turn of each body. */
+    std::vector<ModalForces> project() const;
+    ReducedEquilibrium       find_slope(PairAnswers &answers, const Eigen::VectorXd &u);
+    void                     measure_angles(Measurements &measured) const;
+    void                     measure_contact(State &state) const;
+    double                   measure_drive_torque() const;
+    void                     add_contact_impulse();
 
-    const Model                         &model_;
-    ReducedPairOptions                   options_;
-    std::vector<std::unique_ptr<Member>> members_; ///< by body
-    PressedPair                          pair_;
-    std::unique_ptr<Answers>             answers_;
-    std::vector<NodeOfBody>              nodes_; ///< of the rows, sorted
-    /** Body of each row and its place among that body's rows; those of bearings are the last. */
-    std::vector<std::pair<unsigned int, Eigen::Index>> owners_;
-    BearingSprings                                     springs_;
-    BearingSprings::Response bearings_; ///< as they are now, dampers left out
-    BearingSprings::Response damped_;   ///< with those of the last step
-    Eigen::VectorXd          rows_;     ///< displacements of all rows at its end
-    PressedState             now_;
-    Eigen::VectorXd          earlier_force_; ///< a step before, at the rows, or empty
-    double                   earlier_torque_ = 0;
-    double                   load_           = 0; ///< torque on the driven body now [N mm]
-    double                   driver_rate_    = 0; ///< at time zero [rad/s]
-    double                   driver_turn_    = 0; ///< since time zero [rad]
-    double                   time_           = 0;
-    std::uint64_t            step_           = 0;
-    std::uint64_t            n_iterations_   = 0;
-    unsigned int             search_steps_ = 1, since_search_ = 0;
-    double                   searched_from_ = 0, searched_to_ = 0; ///< turns of the driver [rad]
-    Eigen::VectorXd          held_;         ///< displacements of candidates then, or empty [mm]
-    unsigned int             widening_ = 0; ///< doublings of the distance looked at
+    const Model                 &model_;
+    double                       tolerance_;
+    PressedPair                  pair_;
+    PairMembers                  members_;
+    PairDrive                    drive_;
+    PairRows                     rows_;
+    PairBearings                 bearings_;
+    PressedState                 now_;
+    PairEnergy                   energy_;
+    std::unique_ptr<PairAnswers> answers_;
+    Eigen::VectorXd              displacements_; ///< of all rows at the end of the last step
+    Eigen::VectorXd              earlier_force_; ///< a step before, at the rows, or empty
+    double                       earlier_torque_ = 0;
+    std::uint64_t                n_iterations_   = 0;
     bool           stands_ = false; ///< the rows' flexibility is that of forces that stand in space
-    EnergyLedger   energy_, first_energy_;
     ContactImpulse contact_impulse_;
   };
 } // namespace vfife

@@ -2,9 +2,6 @@
 #ifndef vfife_reduced_reduction_source_h
 #define vfife_reduced_reduction_source_h
 
-#include <vfife/fem/fem_options.h>
-#include <vfife/reduced/reduced_body.h>
-
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -14,6 +11,7 @@ namespace vfife
 {
   class ByteStream;
   struct Model;
+  struct ReductionOptions;
 
   /** What a reduced body depends on but for speed, cut-off and reach, as few numbers by which one
    * body is told from another. */
@@ -22,11 +20,7 @@ namespace vfife
   public:
     ReductionSource() = default;
     /** As reduce_body() is given them. */
-    ReductionSource(const Model                      &model,
-                    unsigned int                      body,
-                    const std::vector<unsigned int>  &touch_nodes,
-                    const std::vector<SectorReading> &readings,
-                    const FemOptions                 &fem);
+    ReductionSource(const Model &model, unsigned int body, const ReductionOptions &options);
 
     /** What differs first (a noun), or nothing. */
     std::string find_difference(const ReductionSource &other) const;

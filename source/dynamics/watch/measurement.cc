@@ -6,6 +6,7 @@
 #include <vfife/dynamics/watch/measurement.h>
 #include <vfife/element/stress.h>
 #include <vfife/model/body_frame.h>
+#include <vfife/model/pair_measures.h>
 
 #include <algorithm>
 
@@ -14,15 +15,7 @@ namespace vfife
   void
   measure_contact(const ContactSystem &contact, const RigidWalls &walls, Measurements &measured)
   {
-    measured.teeth         = contact.collect_results();
-    measured.contact_force = measured.contact_torque = measured.largest_penetration = 0;
-    measured.teeth_in_contact = measured.teeth.size();
-    for (const ToothContact &tooth : measured.teeth)
-      {
-        measured.contact_force += tooth.force.norm();
-        measured.contact_torque += tooth.torque;
-        measured.largest_penetration = std::max(measured.largest_penetration, tooth.penetration);
-      }
+    set_teeth(contact.collect_results(), measured);
     // Walls have no teeth.
     const RigidWalls::Results wall = walls.collect_results();
     measured.contact_forces        = contact.collect_forces(measured.teeth);

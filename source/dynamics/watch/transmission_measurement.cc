@@ -3,6 +3,7 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/text/byte_stream.h>
 #include <vfife/dynamics/watch/transmission_measurement.h>
+#include <vfife/model/pair_measures.h>
 
 #include <algorithm>
 #include <cmath>
@@ -94,33 +95,25 @@ namespace vfife
   {
     if (model_.transmissions.empty())
       return;
-    // DTE = theta_g - (z_p/z_g) theta_p, each theta = start + kinematic turn + lead: the kinematic
-    // turns cancel; start and leads of the gear's bore or rim and of the driver's bore remain. A
-    // driver that turns as prescribed has no lead.
-    const Transmission &t      = *model_.only_transmission();
-    const double        turned = t.driven_turn(state.time); // in the drive direction
+    const Transmission &t    = *model_.only_transmission();
+    const double        turn = t.driver_turn(state.time);
 
     // Differences from the kinematic turn are measured, so that no digits are lost in large angles.
     // Mass-weighted means over bore and rim of the driven body and the driver's bore.
     std::vector<double> sums;
     for (const std::size_t ring : {0, 1})
-      add_rotations(rings_[ring], t.driven_sense * turned, state, sums);
+      add_rotations(rings_[ring], t.driven_sense * t.driven_turn(state.time), state, sums);
     const bool driver_leads = rings_.size() > 2;
     if (driver_leads)
-      add_rotations(rings_[2], t.driver_sense * t.driver_turn(state.time), state, sums);
+      add_rotations(rings_[2], t.driver_sense * turn, state, sums);
     communicator.sum(sums);
     for (std::size_t ring = 0; ring < rings_.size(); ++ring)
       rings_[ring].lead = sums[2 * ring] / sums[2 * ring + 1];
-    const double  bore       = t.driven_sense * rings_[0].lead;
-    const double  rim        = t.driven_sense * rings_[1].lead;
-    const double  drive      = driver_leads ? t.driver_sense * rings_[2].lead : 0.;
-    Measurements &m          = state.measured;
-    const double  start      = t.driven_start - t.ratio() * (t.driver_start + drive);
-    m.driver_angle           = t.driver_start + t.driver_turn(state.time) + drive;
-    m.rate_factor            = t.rate_history.value(state.time);
-    m.driven_angle           = t.driven_start + turned + bore;
-    m.rim_angle              = t.driven_start + turned + rim;
-    m.transmission_error     = start + bore;
-    m.rim_transmission_error = start + rim;
+    Measurements &m = state.measured;
+    m.driver_angle  = driver_leads ? t.driver_sense * rings_[2].lead : 0.;
+    m.driven_angle  = t.driven_sense * rings_[0].lead;
+    m.rim_angle     = t.driven_sense * rings_[1].lead;
+    m.rate_factor   = t.rate_history.value(state.time);
+    complete_angles(t, turn, m);
   }
 } // namespace vfife

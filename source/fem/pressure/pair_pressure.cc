@@ -1,8 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/fem/pressure/pair_pressure.h>
 #include <vfife/fem/pressure/penalty_calibration.h>
-#include <vfife/model/load_torque.h>
 #include <vfife/model/model.h>
+#include <vfife/model/pair_measures.h>
 
 namespace vfife
 {

@@ -1,8 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/text/figure_text.h>
 #include <vfife/contact/law/hertz.h>
-#include <vfife/model/load_torque.h>
 #include <vfife/model/model.h>
+#include <vfife/model/pair_measures.h>
 #include <vfife/study/cases/torque_pressure.h>
 
 #include <sstream>

@@ -13,7 +13,7 @@
 #include <vfife/fem/pair/pair_equilibrium.h>
 #include <vfife/fem/statics/static_solver.h>
 #include <vfife/mesh/node_set_names.h>
-#include <vfife/model/load_torque.h>
+#include <vfife/model/pair_measures.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/result_places.h>
 #include <vfife/output/files/run_figures.h>

@@ -7,8 +7,8 @@
 #include <vfife/fem/pressure/pair_pressure.h>
 #include <vfife/fem/pressure/penalty_calibration.h>
 #include <vfife/mesh/body_mesh.h>
-#include <vfife/model/load_torque.h>
 #include <vfife/model/model.h>
+#include <vfife/model/pair_measures.h>
 #include <vfife/study/cases/pair_case.h>
 #include <vfife/study/pressure/calibrated_penalty.h>
 #include <vfife/study/pressure/pressure_depth.h>

@@ -4,7 +4,6 @@
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
 #include <vfife/base/text/byte_stream.h>
-#include <vfife/fem/fem_options.h>
 #include <vfife/model/model.h>
 #include <vfife/output/files/matrix_writer.h>
 #include <vfife/output/files/output_folder.h>
@@ -15,7 +14,6 @@
 #include <vfife/reduced/body_reduction.h>
 #include <vfife/reduced/pair_readings.h>
 #include <vfife/reduced/real_body.h>
-#include <vfife/reduced/reduced_options.h>
 #include <vfife/reduced/reduced_pair.h>
 #include <vfife/reduced/reduction_source.h>
 #include <vfife/study/reduced/pair_reduction.h>
@@ -31,47 +29,6 @@ namespace vfife
 {
   namespace
   {
-    /** Reduced bodies in files of a folder, with what they were made of. All functions are
-     * collective. */
-    class ReductionStore
-    {
-    public:
-      /** @p folder: without a name nothing is kept. Everything given must outlive the object. */
-      ReductionStore(std::string folder, const Communicator &communicator, Log &log)
-        : folder_(std::move(folder))
-        , communicator_(communicator)
-        , log_(log)
-      {
-      }
-
-      /** The least of what a body is asked for. */
-      struct Range
-      {
-        double       cutoff = 0; ///< [rad/s]
-        double       rate   = 0; ///< the largest [rad/s]
-        unsigned int reach  = 0;
-      };
-
-      /**
-       * The body kept as @p name, if there is one for so much. Throws InputError where it is of
-       * another source, which it names, or the file is damaged or of another version.
-       */
-      std::optional<ReducedBody>
-      find(const std::string &name, const ReductionSource &source, const Range &range) const;
-
-      /** Throws InputError where the folder cannot be made or written to: before a body is reduced,
-       * which takes long. */
-      void require_writable() const;
-
-      /** Keeps it. Throws std::runtime_error where the disk does not take it. */
-      void keep(const std::string &name, ReductionSource source, ReducedBody &body) const;
-
-    private:
-      std::string         folder_;
-      const Communicator &communicator_;
-      Log                &log_;
-    };
-
     const SealedFile seal    = {"vfife-reduction", "reduced body", 2};
     const char       entry[] = "Reduced/store";
 
@@ -85,18 +42,113 @@ namespace vfife
     }
 
     /** What there is less of than is asked for (a sentence's end), or nothing. */
-    std::string find_lack(const ReducedBody &body, const ReductionStore::Range &range)
+    std::string find_lack(const ReducedBody &body, const ReductionOptions &least)
     {
       constexpr double   same = 1. - 1e-9;
       std::ostringstream text;
-      if (std::abs(body.rate) < same * std::abs(range.rate))
+      if (std::abs(body.rate) < same * std::abs(least.rate))
         text << "is for its speeds up to " << std::abs(body.rate) * 30. / pi << " rpm";
-      else if (body.cutoff < same * range.cutoff)
+      else if (body.cutoff < same * least.cutoff)
         text << "has modes below " << .5 / pi * body.cutoff << " Hz";
-      else if (body.reach < std::min(range.reach, body.n_sectors / 2))
+      else if (body.reach < std::min(least.reach, body.n_sectors / 2))
         text << "reaches over " << body.reach << " sectors";
       return text.str();
     }
+
+    /** Reduced bodies in files of a folder, with what they were made of. All functions are
+     * collective. */
+    class ReductionStore
+    {
+    public:
+      /** @p folder: without a name nothing is kept. Everything given must outlive the object. */
+      ReductionStore(std::string folder, const Communicator &communicator, Log &log)
+        : folder_(std::move(folder))
+        , communicator_(communicator)
+        , log_(log)
+      {
+      }
+
+      /**
+       * The body kept as @p name, if there is one for rate, cut-off and reach of @p least or more.
+       * Throws InputError where it is of another source, which it names, or the file is damaged or
+       * of another version.
+       */
+      std::optional<ReducedBody> find(const std::string      &name,
+                                      const ReductionSource  &source,
+                                      const ReductionOptions &least) const
+      {
+        if (folder_.empty())
+          return {};
+        // One rank reads; all get the same bytes or the same complaint.
+        const std::string path = folder_ + "/" + file_name(name);
+        std::string       bytes, complaint;
+        if (communicator_.is_root() && std::filesystem::exists(path))
+          complaint = seal.read(path, bytes);
+        complaint = communicator_.broadcast(complaint);
+        bytes     = communicator_.broadcast(bytes);
+        if (!complaint.empty())
+          throw InputError(entry, complaint + ". Remove it, or name another folder");
+        if (bytes.empty())
+          return {};
+
+        ByteStream      stream(bytes, "\"" + path + "\"");
+        ReductionSource stored;
+        ReducedBody     body;
+        stored.serialize(stream);
+        const std::string difference = source.find_difference(stored);
+        if (!difference.empty())
+          throw InputError(entry,
+                           "\"" + path + "\" belongs to another body: its " + difference +
+                             " differs. Remove it, or name another folder");
+        serialize(body, stream);
+        stream.finish();
+        const std::string lack = find_lack(body, least);
+        if (!lack.empty())
+          {
+            log_.line("\"", path, "\" ", lack, ": the body is reduced again");
+            return {};
+          }
+        return body;
+      }
+
+      /** Throws InputError where the folder cannot be made or written to: before a body is reduced,
+       * which takes long. */
+      void require_writable() const
+      {
+        if (folder_.empty())
+          return;
+        try
+          {
+            const OutputFolder folder(folder_, communicator_);
+          }
+        catch (const std::runtime_error &error)
+          {
+            throw InputError(entry,
+                             "expected a folder that can be written to, got \"" + folder_ +
+                               "\": " + error.what() + ". Name another folder.");
+          }
+      }
+
+      /** Keeps it. Throws std::runtime_error where the disk does not take it. */
+      void keep(const std::string &name, ReductionSource source, ReducedBody &body) const
+      {
+        if (folder_.empty())
+          return;
+        const OutputFolder folder(folder_, communicator_);
+        if (!folder.is_writer())
+          return;
+        ByteStream stream;
+        source.serialize(stream);
+        serialize(body, stream);
+        folder.write_file(file_name(name),
+                          [&](std::ostream &out) { seal.write(stream.bytes(), out); });
+      }
+
+    private:
+      std::string         folder_;
+      const Communicator &communicator_;
+      Log                &log_;
+    };
 
     void
     log_body(const std::string &name, const ReducedBody &body, const std::string &origin, Log &log)
@@ -117,107 +169,37 @@ namespace vfife
     }
   } // namespace
 
-  void ReductionStore::require_writable() const
-  {
-    if (folder_.empty())
-      return;
-    try
-      {
-        const OutputFolder folder(folder_, communicator_);
-      }
-    catch (const std::runtime_error &error)
-      {
-        throw InputError(entry,
-                         "expected a folder that can be written to, got \"" + folder_ +
-                           "\": " + error.what() + ". Name another folder.");
-      }
-  }
-
-  std::optional<ReducedBody> ReductionStore::find(const std::string     &name,
-                                                  const ReductionSource &source,
-                                                  const Range           &range) const
-  {
-    if (folder_.empty())
-      return {};
-    // One rank reads; all get the same bytes or the same complaint.
-    const std::string path = folder_ + "/" + file_name(name);
-    std::string       bytes, complaint;
-    if (communicator_.is_root() && std::filesystem::exists(path))
-      complaint = seal.read(path, bytes);
-    complaint = communicator_.broadcast(complaint);
-    bytes     = communicator_.broadcast(bytes);
-    if (!complaint.empty())
-      throw InputError(entry, complaint + ". Remove it, or name another folder");
-    if (bytes.empty())
-      return {};
-
-    ByteStream      stream(bytes, "\"" + path + "\"");
-    ReductionSource stored;
-    ReducedBody     body;
-    stored.serialize(stream);
-    const std::string difference = source.find_difference(stored);
-    if (!difference.empty())
-      throw InputError(entry,
-                       "\"" + path + "\" belongs to another body: its " + difference +
-                         " differs. Remove it, or name another folder");
-    serialize(body, stream);
-    stream.finish();
-    const std::string lack = find_lack(body, range);
-    if (!lack.empty())
-      {
-        log_.line("\"", path, "\" ", lack, ": the body is reduced again");
-        return {};
-      }
-    return body;
-  }
-
-  void
-  ReductionStore::keep(const std::string &name, ReductionSource source, ReducedBody &body) const
-  {
-    if (folder_.empty())
-      return;
-    const OutputFolder folder(folder_, communicator_);
-    if (!folder.is_writer())
-      return;
-    ByteStream stream;
-    source.serialize(stream);
-    serialize(body, stream);
-    folder.write_file(file_name(name), [&](std::ostream &out) { seal.write(stream.bytes(), out); });
-  }
-
-  std::vector<ReducedBody> reduce_pair(const Model          &model,
-                                       const ReducedOptions &options,
-                                       const FemOptions     &fem,
-                                       const double          cutoff,
-                                       const double          faster,
-                                       const Communicator   &communicator,
-                                       Log                  &log,
-                                       const MoreReadings   &more)
+  std::vector<ReducedBody> reduce_pair(const Model                &model,
+                                       const PairReductionOptions &options,
+                                       const Communicator         &communicator,
+                                       Log                        &log)
   {
     require_reducible(model);
     const ReductionStore     store(options.store, communicator, log);
     std::vector<ReducedBody> bodies;
     for (unsigned int b = 0; b < model.bodies.size(); ++b)
       {
-        const auto                      start = WallClock::now();
-        const Body                     &body  = model.bodies[b];
-        const std::vector<unsigned int> nodes = list_touch_nodes(model, b);
-        std::vector<SectorReading>      readings =
-          list_readings(model, b, fem, RimWriter::count_diameters(model));
-        if (more)
-          for (SectorReading &reading : more(b))
-            readings.push_back(std::move(reading));
-        const ReductionSource source(model, b, nodes, readings, fem);
-        const double          rate = faster * body.rate;
-        if (auto kept = store.find(body.name(), source, {2. * pi * cutoff, rate, options.reach}))
+        const auto       start = WallClock::now();
+        const Body      &body  = model.bodies[b];
+        ReductionOptions of_body{
+          list_touch_nodes(model, b),
+          list_readings(model, b, options.fem, RimWriter::count_diameters(model)),
+          options.fem,
+          options.faster * body.rate,
+          2. * pi * options.cutoff,
+          options.reach};
+        if (options.more)
+          for (SectorReading &reading : options.more(b))
+            of_body.readings.push_back(std::move(reading));
+        const ReductionSource source(model, b, of_body);
+        if (auto kept = store.find(body.name(), source, of_body))
           {
             log_body(body.name(), *kept, "from \"" + options.store + "\"", log);
             bodies.push_back(std::move(*kept));
             continue;
           }
         store.require_writable();
-        bodies.push_back(reduce_body(
-          model, b, nodes, readings, fem, {2. * pi * cutoff, options.reach}, rate, communicator));
+        bodies.push_back(reduce_body(model, b, of_body, communicator));
         log_body(body.name(), bodies.back(), duration_text(seconds_since(start)), log);
         store.keep(body.name(), source, bodies.back());
       }

@@ -335,13 +335,14 @@ namespace vfife
                           : list_fillet_readings(model, *roots, b);
       };
       std::vector<ReducedBody> bodies = reduce_pair(model,
-                                                    options_,
-                                                    fem(),
-                                                    least_cutoff(),
-                                                    largest_factor(),
+                                                    {options_.store,
+                                                     options_.reach,
+                                                     fem(),
+                                                     least_cutoff(),
+                                                     largest_factor(),
+                                                     fillets_.records() ? of_fillets : nullptr},
                                                     communicator,
-                                                    log,
-                                                    fillets_.records() ? of_fillets : nullptr);
+                                                    log);
       if (options_.exports)
         export_bodies(bodies, model, folder);
       const Motion motion = make_motion(bodies);

@@ -6,7 +6,7 @@
 #include <vfife/dynamics/equilibrium/relaxation.h>
 #include <vfife/dynamics/equilibrium/standing_pattern.h>
 #include <vfife/dynamics/loop/explicit_solver.h>
-#include <vfife/model/load_torque.h>
+#include <vfife/model/pair_measures.h>
 #include <vfife/output/files/result_places.h>
 #include <vfife/output/files/summary.h>
 #include <vfife/output/measures/pair_mounting.h>

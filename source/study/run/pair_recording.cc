@@ -5,7 +5,7 @@
 #include <vfife/base/text/table.h>
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/model/body_frame.h>
-#include <vfife/model/load_torque.h>
+#include <vfife/model/pair_measures.h>
 #include <vfife/output/files/result_places.h>
 #include <vfife/output/files/run_figures.h>
 #include <vfife/output/files/table_writer.h>

@@ -147,13 +147,14 @@ namespace vfife
                                                         : std::vector<SectorReading>();
         };
         return reduce_pair(model,
-                           reduced_,
-                           reduced_.fem(dynamics_.stiffness),
-                           least_cutoff(),
-                           faster,
+                           {reduced_.store,
+                            reduced_.reach,
+                            reduced_.fem(dynamics_.stiffness),
+                            least_cutoff(),
+                            faster,
+                            roots != nullptr ? of_fillets : nullptr},
                            communicator,
-                           log,
-                           roots != nullptr ? of_fillets : nullptr);
+                           log);
       }
       void check_diameters(const Model &model) const;
       /** Throws InputError for diameters without a mode of the body. */

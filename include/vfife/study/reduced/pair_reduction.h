@@ -2,9 +2,11 @@
 #ifndef vfife_study_reduced_pair_reduction_h
 #define vfife_study_reduced_pair_reduction_h
 
+#include <vfife/fem/fem_options.h>
 #include <vfife/reduced/reduced_body.h>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace vfife
@@ -12,27 +14,31 @@ namespace vfife
   class Communicator;
   class Log;
   class OutputFolder;
-  struct FemOptions;
   struct Model;
-  struct ReducedOptions;
 
   /** Readings of a body beyond those of every run. */
   using MoreReadings = std::function<std::vector<SectorReading>(unsigned int body)>;
 
+  /** What the bodies of a pair are reduced for. */
+  struct PairReductionOptions
+  {
+    std::string  store; ///< folder that keeps reduced bodies, or nothing
+    unsigned int reach = 4;
+    FemOptions   fem;
+    double       cutoff = 0; ///< modes below are kept [Hz]
+    double       faster = 1; ///< rates of spin over those of the model
+    MoreReadings more;       ///< or nullptr
+  };
+
   /**
-   * The bodies of a gear pair, of elements @p fem, with modes below @p cutoff [Hz] at least, about
-   * their state of spin at the model's rates times @p faster, with all readings of a run and @p
-   * more (nullptr: none); of those that are kept in ReducedOptions::store the kept ones. Throws as
+   * The bodies of a gear pair about their state of spin, with all readings of a run and more; those
+   * that the store keeps, with modes below the cut-off at least, are read from it. Throws as
    * reduce_body() and ReductionStore, and InputError for pairs on shafts. Collective.
    */
-  std::vector<ReducedBody> reduce_pair(const Model          &model,
-                                       const ReducedOptions &options,
-                                       const FemOptions     &fem,
-                                       double                cutoff,
-                                       double                faster,
-                                       const Communicator   &communicator,
-                                       Log                  &log,
-                                       const MoreReadings   &more = nullptr);
+  std::vector<ReducedBody> reduce_pair(const Model                &model,
+                                       const PairReductionOptions &options,
+                                       const Communicator         &communicator,
+                                       Log                        &log);
 
   /** That of the modes that the bodies have, which may be above the one asked for where they were
    * kept [Hz]. */

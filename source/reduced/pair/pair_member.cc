@@ -1,9 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// One body of a ReducedPair.
-#include "reduced_pair_parts.h"
-
+#include <vfife/base/text/byte_stream.h>
 #include <vfife/model/body_frame.h>
+#include <vfife/model/model.h>
 #include <vfife/reduced/body_rings.h>
+#include <vfife/reduced/pair/pair_member.h>
 
 #include <cmath>
 
@@ -11,6 +11,7 @@ namespace vfife
 {
   using Eigen::MatrixXcd;
   using Eigen::VectorXcd;
+  using Eigen::VectorXd;
 
   namespace
   {
@@ -41,12 +42,11 @@ namespace vfife
      * the product with the axis, zeta rho^H J (a x) rho c for each rate of the turn, of complex
      * coordinates half of it. Dampers of couplings act on their seats' twist.
      */
-    ModalDamping make_damping(const Model              &model,
-                              const unsigned int        b,
-                              const ReducedBody        &body,
-                              const ReducedPairOptions &options)
+    ModalDamping make_damping(const Model       &model,
+                              const unsigned int b,
+                              const ReducedBody &body,
+                              ModalDamping       damping)
     {
-      ModalDamping damping{options.damping, options.mesh_damping, {}, {}};
       if (body.rings.size() == 0)
         return damping;
       const Vector3               axis  = axis_in_frame(model.bodies[b]);
@@ -62,7 +62,7 @@ namespace vfife
           if (harmonic.number > 1)
             break;
           const MatrixXcd rho = harmonic.rings.middleRows<6>(whole);
-          damping.circulation.push_back((harmonic.number == 0 ? 1. : .5) * options.damping *
+          damping.circulation.push_back((harmonic.number == 0 ? 1. : .5) * damping.modes *
                                         rho.adjoint() * (body.rings.inertia * turns) * rho);
           MatrixXcd &D = damping.more.emplace_back(MatrixXcd::Zero(rho.cols(), rho.cols()));
           if (harmonic.number == 0)
@@ -93,16 +93,17 @@ namespace vfife
     return sum;
   }
 
-  ReducedPair::Member::Member(const Model              &model,
-                              const unsigned int        b,
-                              ReducedBody             &&reduced,
-                              const ReducedPairOptions &options)
+  PairMember::PairMember(const Model        &model,
+                         const unsigned int  b,
+                         ReducedBody       &&reduced,
+                         const ModalDamping &damping,
+                         const double        step)
     : body(std::move(reduced))
     , rate(model.bodies[b].rate)
     , sense(compute_sector_sense(model.bodies[b]))
     , axial{torque_on(model, b, 0.), 0.}
     , inertia(body.turns ? body.turn_inertia : model.bodies[b].axial_inertia())
-    , motion(body, rate, make_damping(model, b, body, options), options.step)
+    , motion(body, rate, make_damping(model, b, body, damping), step)
     , rows(body,
            gains_of(motion, body.harmonics.size()),
            {model.bodies[b].placement.rotation, model.only_transmission()->arm})
@@ -112,20 +113,20 @@ namespace vfife
     gain_rate = rate;
   }
 
-  void ReducedPair::Member::set_rate(const double new_rate)
+  void PairMember::set_rate(const double new_rate)
   {
     rate        = new_rate;
     sector_rate = sense * rate;
     spin        = body.rate != 0 ? rate * rate / (body.rate * body.rate) : 0.;
   }
 
-  void ReducedPair::Member::set_gains()
+  void PairMember::set_gains()
   {
     rows.set_gains(gains_of(motion, body.harmonics.size()));
     gain_rate = motion.rate();
   }
 
-  void ReducedPair::Member::follow_rate(const double step)
+  void PairMember::follow_rate(const double step)
   {
     if (!is_near(rate, motion.rate(), rate_part))
       motion.change(rate, step);
@@ -133,7 +134,7 @@ namespace vfife
       set_gains();
   }
 
-  ModalForces ReducedPair::Member::forces_of(const AxialLoad &load) const
+  ModalForces PairMember::forces_of(const AxialLoad &load) const
   {
     ModalForces forces;
     for (const ReducedBody::Harmonic &harmonic : body.harmonics)
@@ -143,7 +144,7 @@ namespace vfife
     return forces;
   }
 
-  std::vector<VectorXcd> ReducedPair::Member::coordinates() const
+  std::vector<VectorXcd> PairMember::coordinates() const
   {
     std::vector<VectorXcd> coordinates;
     for (std::size_t i = 0; i < body.harmonics.size(); ++i)
@@ -151,12 +152,47 @@ namespace vfife
     return coordinates;
   }
 
-  double ReducedPair::Member::modal_rate() const
+  std::vector<VectorXcd> PairMember::standing_coordinates(const AxialLoad &load) const
+  {
+    std::vector<VectorXcd> own = forces_of(load).modes;
+    for (std::size_t i = 0; i < own.size(); ++i)
+      own[i] = motion.standing_flexibility(i, sector_rate) * own[i];
+    return own;
+  }
+
+  VectorXd PairMember::part_of(const VectorXd &x) const
+  {
+    VectorXd own(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+      own[i] = x[places[i]];
+    return own;
+  }
+
+  double PairMember::read_turn(const char *const reading, const VectorXd &forces) const
+  {
+    return motion.turn() + rows.read_all(body.find_reading(reading), coordinates(), forces, axial);
+  }
+
+  void PairMember::serialize(const double step, ByteStream &stream)
+  {
+    double new_rate = rate, of_modes = motion.rate(), of_gains = gain_rate;
+    stream.pass(new_rate, of_modes, of_gains, axial.torque, axial.acceleration);
+    if (stream.reads())
+      {
+        set_rate(new_rate);
+        motion.change(of_gains, step);
+        set_gains();
+        motion.change(of_modes, step);
+      }
+    motion.serialize(stream);
+  }
+
+  double PairMember::modal_rate() const
   {
     return in_bearings() ? modal_rate_of(body.rings.find(ring::whole)) : 0.;
   }
 
-  double ReducedPair::Member::modal_rate_of(const unsigned int ring) const
+  double PairMember::modal_rate_of(const unsigned int ring) const
   {
     double sum = 0;
     for (std::size_t i = 0; i < body.harmonics.size(); ++i)
@@ -166,15 +202,15 @@ namespace vfife
     return sum;
   }
 
-  std::pair<double, double> ReducedPair::Member::twist(const Coupling        &coupling,
-                                                       const Eigen::VectorXd &forces) const
+  std::pair<double, double> PairMember::twist(const Coupling &coupling,
+                                              const VectorXd &forces) const
   {
     const unsigned int seat   = body.rings.find(ring::of_coupling(coupling.name));
     const auto         placed = rows.read_ring(seat, spin, coordinates(), forces, axial);
     return {(rows.placement() * axis_).dot(placed.tail<3>()), modal_rate_of(seat)};
   }
 
-  std::vector<MatrixXcd> ReducedPair::Member::standing_gains() const
+  std::vector<MatrixXcd> PairMember::standing_gains() const
   {
     std::vector<MatrixXcd> gains;
     for (std::size_t i = 0; i < body.harmonics.size(); ++i)

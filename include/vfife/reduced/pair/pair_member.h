@@ -1,24 +1,25 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_reduced_reduced_pair_parts_h
-#define vfife_reduced_reduced_pair_parts_h
+#ifndef vfife_reduced_pair_pair_member_h
+#define vfife_reduced_pair_pair_member_h
 
-#include <vfife/model/model.h>
-#include <vfife/reduced/reduced_pair.h>
+#include <vfife/reduced/modal_motion.h>
+#include <vfife/reduced/reduced_body.h>
 #include <vfife/reduced/touch_rows.h>
+
+#include <memory>
+#include <utility>
+#include <vector>
 
 namespace vfife
 {
+  struct Coupling;
+  struct Model;
+
   /** The model's torque on a body about its axis [N mm]. */
   double torque_on(const Model &model, unsigned int body, double time);
 
-  /** Places of a body's bearings in Model::bearings. */
-  std::vector<std::size_t> list_bearings(const Model &model, unsigned int body);
-
-  /** What all bearings do beyond the springs that the reduced bodies have for them. */
-  BearingSprings make_bearing_springs(const Model &model, const std::vector<ReducedBody> &bodies);
-
-  /** One of the two bodies. */
-  struct ReducedPair::Member
+  /** One of the two bodies of a ReducedPair. */
+  struct PairMember
   {
     ReducedBody body;
     double      rate;            ///< about Body::axis [rad/s]
@@ -32,22 +33,33 @@ namespace vfife
     double      gain_rate = 0; ///< at which the modes' part of the flexibility was found [rad/s]
     std::vector<Eigen::Index> places; ///< of its rows among those of both
 
-    Member(const Model              &model,
-           unsigned int              b,
-           ReducedBody             &&reduced,
-           const ReducedPairOptions &options);
+    /** In steps of @p step [s]. */
+    PairMember(const Model        &model,
+               unsigned int        b,
+               ReducedBody       &&reduced,
+               const ModalDamping &damping,
+               double              step);
 
     void set_rate(double new_rate);
     /** Takes the modes along to the rate, in steps of @p step [s], where they are far from it. */
     void follow_rate(double step);
     /** The flexibility becomes that of the modes' present steps. */
     void set_gains();
+    /** Passes rates, load and motion in steps of @p step [s]. */
+    void serialize(double step, ByteStream &stream);
     /** What @p load does to modes and turn, contact left out. */
     ModalForces forces_of(const AxialLoad &load) const;
     /** Coordinates of its modes now. */
     std::vector<Eigen::VectorXcd> coordinates() const;
+    /** Those under @p load alone where they stand still in space. */
+    std::vector<Eigen::VectorXcd> standing_coordinates(const AxialLoad &load) const;
     /** Of forces that stand still in space. */
     std::vector<Eigen::MatrixXcd> standing_gains() const;
+    /** Its part of a vector @p x over the rows of both bodies. */
+    Eigen::VectorXd part_of(const Eigen::VectorXd &x) const;
+    /** Mean rotation of bore or rim (pair_readings.h) about the axis beyond the kinematic turn,
+     * under @p forces at its rows [rad]. */
+    double read_turn(const char *reading, const Eigen::VectorXd &forces) const;
     /** What the modes beside the turn add to the rate about Body::axis [rad/s]. */
     double modal_rate() const;
     /** The same of the mean turn of a ring. */
@@ -63,29 +75,8 @@ namespace vfife
     Vector3 axis_; ///< Body::axis, in the axes of the body frame
   };
 
-  /** Both bodies' answers at the rows of a pair, nodes in front and seats of bearings behind them,
-   * and what bearings do there. */
-  class ReducedPair::Answers : public PressedBodies
-  {
-  public:
-    /** @p rows: of the bodies of @p pair. All must outlive the object. */
-    Answers(const ReducedPair &pair, std::vector<const TouchRows *> rows)
-      : pair_(pair)
-      , rows_(std::move(rows))
-    {
-    }
-
-    Eigen::VectorXd answer(const Eigen::VectorXd &force) override;
-    Eigen::MatrixXd flexibility(const std::vector<unsigned int> &rows) override;
-    void            add_forces(const Eigen::VectorXd &u, PressedForces &sum) const override;
-    PressedSprings  find_springs(const Eigen::VectorXd &u, bool turning, bool own) const override;
-
-    BearingSprings::Response evaluate_bearings(const Eigen::VectorXd &u) const;
-
-  private:
-    const ReducedPair             &pair_;
-    std::vector<const TouchRows *> rows_;
-  };
+  /** In the model's order of the bodies. */
+  using PairMembers = std::vector<std::unique_ptr<PairMember>>;
 } // namespace vfife
 
 #endif

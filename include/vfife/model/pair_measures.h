@@ -1,0 +1,26 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_model_pair_measures_h
+#define vfife_model_pair_measures_h
+
+#include <vector>
+
+namespace vfife
+{
+  struct Measurements;
+  struct Model;
+  struct ToothContact;
+  struct Transmission;
+
+  /** Torque on the driven member of a model's gear pair about its axis, positive against its
+   * rotation; 0 without a gear pair [N mm]. */
+  double load_torque(const Model &model);
+
+  /** Sets the tooth pairs in contact and what is summed over them. */
+  void set_teeth(std::vector<ToothContact> teeth, Measurements &measured);
+
+  /** Completes the angles, which are rotations beyond the kinematic turn so far, by what the driver
+   * has turned since time zero, @p turn [rad], and sets the transmission errors. */
+  void complete_angles(const Transmission &transmission, double turn, Measurements &measured);
+} // namespace vfife
+
+#endif
