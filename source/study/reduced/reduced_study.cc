@@ -8,6 +8,7 @@
 #include <vfife/output/files/checkpoint.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/result_places.h>
+#include <vfife/output/measures/pair_mounting.h>
 #include <vfife/output/observers/history_writer.h>
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/output/output_options.h>
