@@ -33,7 +33,7 @@ namespace vfife
       const FemOptions     fem = make_fem_options(dynamics.stiffness);
       const ReducedOptions options;
       const Transmission  &t         = *model.only_transmission();
-      const double         frequency = t.driver_rate * t.driver_teeth / (2. * pi);
+      const double         frequency = t.mesh_frequency();
       const double         cutoff =
         2. * pi *
         options.find_cutoff(frequency, ReducedOptions::rings_of_waves * ring_rate / (2. * pi));
@@ -97,8 +97,8 @@ namespace vfife
                                   Log                   &log,
                                   RunSummary            &summary)
   {
-    if (model.transmissions.empty() || !model.only_transmission()->has_constant_rate() ||
-        model.only_transmission()->driver_rate == 0)
+    const Transmission &t = *model.only_transmission();
+    if (!t.has_constant_rate() || t.driver_rate == 0)
       return;
     report_nearest_wave([&] { return find_wave_of_run(model, ring_rate, dynamics, communicator); },
                         log,

@@ -21,7 +21,7 @@ namespace vfife
                            Log                                               &log,
                            RunSummary                                        &summary);
 
-  /** Of a run whose bodies are reduced for this alone; nothing where there is no pair at a constant
+  /** Of a run whose bodies are reduced for this alone; nothing where the pair has no constant
    * speed. @p ring_rate: PairCase::ring_rate() [rad/s], for the cut-off of waves. Collective. */
   void report_nearest_wave_of_run(const Model           &model,
                                   double                 ring_rate,

@@ -278,7 +278,8 @@ namespace vfife
                                    ? find_beside(statement.folder, statement.value)
                                    : statement.value;
         prm.set(statement.name, text); // refuses what is not valid
-        prm.set(statement.name, text_in_force(entry.pattern, text));
+        if (const std::string word = text_in_force(entry.pattern, text); word != text)
+          prm.set(statement.name, word);
       }
     catch (const InputError &error)
       {

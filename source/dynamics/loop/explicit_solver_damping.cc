@@ -3,7 +3,7 @@
 #include <vfife/dynamics/loop/explicit_solver.h>
 #include <vfife/dynamics/motion/mean_speed.h>
 
-#include <set>
+#include <algorithm>
 #include <tuple>
 
 namespace vfife
@@ -77,11 +77,13 @@ namespace vfife
       return;
     // The driven speed damping's torque takes from the swing what its power takes beyond that of
     // the kinematic rotation: sum m slip . (v - omega_kinematic axis x r).
-    work.after.swing = work.after.mesh;
-    std::set<unsigned int> driven; // several drivers may share one
-    for (const Transmission &t : model_.transmissions)
+    work.after.swing      = work.after.mesh;
+    const auto first_pair = model_.transmissions.begin();
+    for (auto pair = first_pair; pair != model_.transmissions.end(); ++pair)
       {
-        if (!driven.insert(t.driven).second)
+        const Transmission &t = *pair;
+        // Several drivers may share a driven member, whose dampers count once.
+        if (std::any_of(first_pair, pair, [&t](const auto &one) { return one.driven == t.driven; }))
           continue;
         const Body  &body = model_.bodies[t.driven];
         const double torque =

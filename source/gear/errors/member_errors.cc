@@ -3,7 +3,9 @@
 #include <vfife/base/text/number_text.h>
 #include <vfife/gear/errors/member_errors.h>
 
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace vfife
 {
@@ -49,16 +51,14 @@ namespace vfife
                            number_text(deviation / micrometre) + " um");
     }
 
-    void require_small(const EaseOffTerms &terms, const double module, const std::string &section)
+    /** With the names of their entries. */
+    std::array<std::pair<double, const char *>, 5> list_terms(const EaseOffTerms &terms)
     {
-      const std::pair<double, const char *> named[] = {{terms.pressure_angle, "profile slope"},
-                                                       {terms.spiral_angle, "lengthwise slope"},
-                                                       {terms.profile_crowning, "profile crowning"},
-                                                       {terms.lengthwise_crowning,
-                                                        "lengthwise crowning"},
-                                                       {terms.bias, "bias"}};
-      for (const auto &[deviation, entry] : named)
-        require_small(deviation, module, section + "/" + entry);
+      return {{{terms.pressure_angle, "profile slope"},
+               {terms.spiral_angle, "lengthwise slope"},
+               {terms.profile_crowning, "profile crowning"},
+               {terms.lengthwise_crowning, "lengthwise crowning"},
+               {terms.bias, "bias"}}};
     }
   } // namespace
 
@@ -82,11 +82,13 @@ namespace vfife
         const std::string        below =
           section + (side == FlankSide::concave ? "/Concave flank" : "/Convex flank");
         // 1. The form: terms, and a grid of all teeth or of some.
-        const EaseOffTerms &terms = own.terms;
-        require_small(terms, module, below);
-        const bool has_terms = terms.pressure_angle != 0. || terms.spiral_angle != 0. ||
-                               terms.profile_crowning != 0. || terms.lengthwise_crowning != 0. ||
-                               terms.bias != 0.;
+        const EaseOffTerms &terms     = own.terms;
+        bool                has_terms = false;
+        for (const auto &[deviation, entry] : list_terms(terms))
+          {
+            require_small(deviation, module, below + "/" + entry);
+            has_terms = has_terms || deviation != 0.;
+          }
         errors.shared              = {has_terms ? FlankArea(gear, side) : FlankArea(), terms, {}};
         any_                       = any_ || has_terms;
         errors.is_named            = own.read_teeth(below, teeth);
