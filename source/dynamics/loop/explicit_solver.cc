@@ -3,14 +3,20 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/timers.h>
+#include <vfife/base/text/byte_stream.h>
 #include <vfife/dynamics/loop/explicit_solver.h>
+#include <vfife/dynamics/loop/start_state.h>
 #include <vfife/dynamics/operator/step_bound.h>
 #include <vfife/dynamics/watch/guards.h>
+#include <vfife/dynamics/watch/measurement.h>
+#include <vfife/dynamics/watch/motion_sums.h>
+#include <vfife/model/constraints/supports.h>
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <tuple>
 
 namespace vfife
 {
@@ -22,14 +28,6 @@ namespace vfife
       layout.single_hourglass  = options.single_stiffness;
       layout.mass_scaling_step = options.mass_scaling_step;
       return layout;
-    }
-
-    std::vector<DampingReference> make_references(const Model &model)
-    {
-      std::vector<DampingReference> references;
-      for (unsigned int b = 0; b < model.bodies.size(); ++b)
-        references.emplace_back(model, b);
-      return references;
     }
 
     /** Kinetic energy of nodes that move by eight units in the last place of their coordinates in a
@@ -73,35 +71,14 @@ namespace vfife
     , transmission_(model, operator_.partition())
     , element_step_(find_element_step(model, options.step_bound, operator_, communicator, log))
     , forces_(operator_.make_field())
-    , rigid_(model.bodies.size())
-    , references_(make_references(model))
-    , damping_(model.bodies.size())
-    , sums_(model.bodies.size())
+    , motions_(model, options_, operator_.masses(), communicator)
     , energy_(model)
     , damping_watch_(model)
     , contact_watch_(log)
   {
     contact_.set_masses(operator_.masses());
-    std::vector<UpdateAxis> axes;
-    for (const DampingReference &reference : references_)
-      axes.push_back(reference.axis());
-    constraints_.set_axes(axes);
-    energy_.set_axes(axes);
-  }
-
-  VfifeOperator &ExplicitSolver::vfife_operator()
-  {
-    return operator_;
-  }
-
-  ContactSystem &ExplicitSolver::contact()
-  {
-    return contact_;
-  }
-
-  RigidWalls &ExplicitSolver::walls()
-  {
-    return walls_;
+    constraints_.set_axes(motions_.axes());
+    energy_.set_axes(motions_.axes());
   }
 
   double ExplicitSolver::vote_on_step(const double element_step)
@@ -117,11 +94,6 @@ namespace vfife
     return vote_on_step(element_step_);
   }
 
-  double ExplicitSolver::element_step() const
-  {
-    return element_step_;
-  }
-
   void ExplicitSolver::set_step(const double dt)
   {
     dt_         = dt;
@@ -130,7 +102,29 @@ namespace vfife
     contact_.set_step(dt);
     walls_.set_step(dt);
     energy_.set_round_off(compute_round_off_energy(model_, dt));
-    safe_step_ = vote_on_step(operator_.limiting_element().stable_step());
+    stability_.set_safe_step(vote_on_step(operator_.limiting_element().stable_step()));
+  }
+
+  void ExplicitSolver::divide_step(State &state, const unsigned int n)
+  {
+    const double earlier = dt_;
+    n_substeps_          = n;
+    dt_                  = state.dt / n;
+    compute_forces(state, false);
+    for (const std::uint32_t i : state.partition->nodes())
+      state.velocity.add(i, 0.5 * (earlier - dt_) * state.position.number(i) * forces_.value(i));
+  }
+
+  void ExplicitSolver::start(State &state)
+  {
+    start_undeformed(model_, operator_, dt_, state);
+    // Constrained nodes are moved by their constraints alone: no mass in the common update.
+    constraints_.clear_masses(state);
+  }
+
+  void ExplicitSolver::set_initial_velocities(State &state) const
+  {
+    vfife::set_initial_velocities(model_, dt_, state);
   }
 
   void ExplicitSolver::run(State            &state,
@@ -177,14 +171,12 @@ namespace vfife
   void ExplicitSolver::begin_run(State &state)
   {
     // Angles of free rotations and the bodies' rates follow from positions and velocities.
-    beginning_ = Beginning{state.step, state.time};
+    beginning_ = RunBeginning{state.step, state.time};
     state.dt   = dt_ * n_substeps_;
     constraints_.read(state, MotionFrame::fixed);
-    rigid_ = compute_rigid_rates(state);
-    for (DampingReference &reference : references_)
-      reference.take_place(state, operator_.masses(), communicator_);
+    motions_.begin(state);
     energy_.reset();
-    damping_watch_.reset(rigid_);
+    damping_watch_.reset(motions_.rates());
     contact_watch_.reset();
     contact_impulse_ = ContactImpulse();
     observe_from(state);
@@ -212,7 +204,7 @@ namespace vfife
         if (due)
           take_measurements(state);
         // From v- at t_n - dt/2 to v+ at t_n + dt/2, positions to t_n + dt.
-        set_damping(state);
+        motions_.set_damping(state, dt_);
         const StepWork work = update_nodes(state, due);
         watch_contact(state);
         // What friction took before the beginning is no loss of this run.
@@ -233,11 +225,11 @@ namespace vfife
           }
         check(state, due, measures);
         energy_.add_work(work.after, 0.5 * dt_);
-        damping_watch_.observe_step(sums_);
+        damping_watch_.observe_step(motions_.sums());
 
         if (last)
           break;
-        advance_bodies(state);
+        motions_.advance(dt_, state);
         substep = (substep + 1) % n_substeps_;
         if (substep == 0)
           ++state.step;
@@ -272,7 +264,10 @@ namespace vfife
     {
       const auto scope = timers_.time(timers_.section("contact"));
       if (state.step % search_interval == 0)
-        contact_.search(state.body_motion, rigid_, state.position, search_interval * state.dt);
+        contact_.search(state.body_motion,
+                        motions_.rates(),
+                        state.position,
+                        search_interval * state.dt);
       if (measured)
         contact_.save_forces(forces_);
       contact_.add_step_forces(state.body_motion, state.position, state.velocity, dt_, forces_);
@@ -313,33 +308,29 @@ namespace vfife
     constraints_.save(state.position, state.velocity);
     if (keeps)
       keep_for_observers(state);
-    const State &before = keeps ? observed_ : state;
+    const State           &before  = keeps ? observed_ : state;
+    const auto            &damping = motions_.damping();
+    std::vector<BodySums> &sums    = motions_.sums();
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       {
-        sums_[b]        = BodySums();
-        sums_[b].update = vfife::update_nodes(state.partition->first_local_node[b],
-                                              state.partition->first_local_node[b + 1],
-                                              dt_,
-                                              damping_[b],
-                                              references_[b].axis(),
-                                              {state.partition->owned.data(),
-                                               forces_.data(),
-                                               before.position.data(),
-                                               before.velocity.data(),
-                                               state.position.data(),
-                                               state.velocity.data()},
-                                              keeps ? &motions_[b] : nullptr);
+        sums[b]        = BodySums();
+        sums[b].update = vfife::update_nodes(state.partition->first_local_node[b],
+                                             state.partition->first_local_node[b + 1],
+                                             dt_,
+                                             damping[b],
+                                             motions_.axis(b),
+                                             {state.partition->owned.data(),
+                                              forces_.data(),
+                                              before.position.data(),
+                                              before.velocity.data(),
+                                              state.position.data(),
+                                              state.velocity.data()},
+                                             keeps ? &sampled_motions_[b] : nullptr);
       }
-    constraints_.apply(state.time,
-                       dt_,
-                       MotionFrame::fixed,
-                       damping_,
-                       forces_,
-                       state.position,
-                       state.velocity,
-                       sums_);
+    constraints_.apply(
+      state.time, dt_, MotionFrame::fixed, damping, forces_, state.position, state.velocity, sums);
     if (keeps)
-      constraints_.add_motion(state.velocity, motions_);
+      constraints_.add_motion(state.velocity, sampled_motions_);
     work.after.torque  = power_of_loads();
     work.after.damping = -power_of_dampers();
 
@@ -349,49 +340,212 @@ namespace vfife
                                      &work.after.torque,
                                      &work.after.damping};
     contact_.append_sums(numbers);
-    for (BodySums &sums : sums_)
-      append_numbers(sums, numbers);
+    for (BodySums &of_body : sums)
+      append_numbers(of_body, numbers);
     sum_over_ranks(numbers, communicator_);
     contact_.rethrow_failure();
     add_powers(state.time, work);
     return work;
   }
 
+  void ExplicitSolver::add_powers(const double time, StepWork &work) const
+  {
+    // What drives give through the bearings' dampers and these do not give to the bodies is lost.
+    // A drive has no way before time zero.
+    const double first = time < dt_ ? time : time - dt_;
+    const double last  = time < dt_ ? time + dt_ : time;
+    for (const auto &[powers, from, to] :
+         {std::tuple<StepPowers *, double, double>(&work.before, first, last),
+          std::tuple<StepPowers *, double, double>(&work.after, time, time + dt_)})
+      {
+        powers->drive   = bearings_.drive_power(from, to);
+        powers->contact = contact_.lost_power() + walls_.lost_power();
+        powers->damping += bearings_.damper_drive_power(from, to);
+      }
+    motions_.add_powers(work);
+  }
+
   void
   ExplicitSolver::check(const State &state, const bool measured, const ElementMeasures &measures)
   {
     // The first two in every step: what they look at is there. The others need a sample.
-    check_motion(model_, sums_, observed_, state);
+    check_motion(model_, motions_.sums(), observed_, state);
     check_penetration(model_, contact_, walls_, state);
     if (!measured)
       return;
     check_elements(model_, observed_, measures, communicator_);
     if (may_be_unstable())
-      check_stability(state, measures);
+      stability_.check(measures.strain_energy + contact_.energy() + walls_.energy(),
+                       energy_.round_off(observed_.step - beginning_->step),
+                       describe_instant(state));
     energy_.check(options_.energy_limit, describe_instant(state), log_);
   }
 
-  void ExplicitSolver::advance_bodies(State &state)
+  void ExplicitSolver::set_windings(const std::vector<double> &windings)
   {
-    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
-      {
-        const Body &body = model_.bodies[b];
-        rigid_[b] = compute_momentum_rate(references_[b].axis(), body.mass(), sums_[b].update);
+    bearings_.set_windings(windings);
+  }
 
-        // y -> pivot + step (y + drift - pivot): turned about the axis, or, of a body that flies,
-        // moved along and turned about where its centre of mass is at the end of the step
-        RigidMotion  &motion = state.body_motion[b];
-        const Vector3 turn   = dt_ * rigid_[b].omega;
-        const double  angle  = turn.norm();
-        const Matrix3 step =
-          angle > 0 ? rotation_about(turn / angle, angle) : Matrix3(Matrix3::Identity());
-        const bool    on_axis = references_[b].axis().use_axis;
-        const Vector3 pivot =
-          on_axis ? body.axis.point : Vector3(sums_[b].update.first_moment / body.mass());
-        const Vector3 drift =
-          on_axis ? Vector3(Vector3::Zero()) : Vector3(dt_ * rigid_[b].at(pivot));
-        motion.rotation    = step * motion.rotation;
-        motion.translation = pivot + step * (motion.translation + drift - pivot);
-      }
+  void ExplicitSolver::take_measurements(State &state)
+  {
+    const auto scope = timers_.time(timers_.section("measurement"));
+    transmission_.measure(state, communicator_);
+    state.measured.probes = measure_probes(model_, model_.probes, state, operator_, communicator_);
+    measure_contact(contact_, walls_, state.measured);
+    state.measured.bearings = bearings_.bearing_states();
+  }
+
+  void ExplicitSolver::keep_for_observers(State &state)
+  {
+    // The update reads the arrays that are kept and writes into those of the sample before: no
+    // field is copied.
+    observed_.time        = state.time;
+    observed_.step        = state.step;
+    observed_.dt          = state.dt;
+    observed_.partition   = state.partition;
+    observed_.body_motion = state.body_motion;
+    observed_.measured    = state.measured;
+    sampled_motions_.assign(model_.bodies.size(), {});
+    std::swap(observed_.position, state.position);
+    std::swap(observed_.velocity, state.velocity);
+  }
+
+  void ExplicitSolver::observe_from(const State &state)
+  {
+    observed_               = state;
+    observed_.contact_force = operator_.make_field();
+  }
+
+  void ExplicitSolver::take_motion()
+  {
+    const auto       scope              = timers_.time(timers_.section("measurement"));
+    const MotionSums motion             = sum_motion(model_, sampled_motions_, communicator_);
+    observed_.measured.momentum         = motion.momentum;
+    observed_.measured.angular_momentum = motion.angular_momentum;
+    stability_.observe(motion.alternating_energy);
+    damping_watch_.observe_sample(motion.mean_speeds, motions_.rates());
+  }
+
+  void ExplicitSolver::take_energies(const ElementMeasures &measures)
+  {
+    // The rigid motions are advanced after this: they are those before the update still.
+    energy_.take_sample(motions_.rates(),
+                        motions_.sums(),
+                        measures.strain_energy + loads_.compute_spring_energy(observed_.position) +
+                          bearings_.energy(),
+                        contact_.energy() + walls_.energy(),
+                        observed_.step - beginning_->step);
+  }
+
+  void ExplicitSolver::take_reactions(const State &state)
+  {
+    // Of the time of the forces: the update has moved the nodes, and knows both velocities.
+    const auto            scope = timers_.time(timers_.section("measurement"));
+    std::vector<Reaction> reactions(list_supports(model_).size());
+    constraints_.add_reactions(dt_, motions_.damping(), forces_, state.velocity, reactions);
+    loads_.add_spring_reactions(observed_.position, reactions);
+    bearings_.add_reactions(observed_.position, first_bearing(model_), reactions);
+    sum_over_ranks(reactions, communicator_);
+    observed_.measured.reactions = std::move(reactions);
+  }
+
+  void ExplicitSolver::show(Observers &observers, const bool last)
+  {
+    const auto    scope    = timers_.time(timers_.section("observers"));
+    Measurements &measured = observed_.measured;
+    measured.energy        = energy_.ledger();
+    measured.drive_torque  = 0;
+    for (const BodySums &sums : motions_.sums())
+      measured.drive_torque += sums.drive_torque;
+    measured.body_rates = motions_.axial_rates();
+    for (const auto &observer : observers)
+      if (last || observer->due(observed_))
+        observer->observe(model_, observed_);
+  }
+
+  void ExplicitSolver::measure_at_rest(State &state)
+  {
+    const ElementMeasures measures = operator_.measure_internal_forces(state.position, forces_);
+    contact_.search(state.body_motion,
+                    std::vector<RigidVelocity>(model_.bodies.size()),
+                    state.position,
+                    0.);
+    // Contact and walls alone in a field of their own.
+    const NodeField no_velocity = operator_.make_field();
+    state.contact_force         = operator_.make_field();
+    contact_.add_forces(state.body_motion, state.position, no_velocity, dt_, state.contact_force);
+    walls_.add_forces(state.position, state.contact_force);
+    bearings_.add_forces_at_rest(state.position, forces_);
+
+    // At rest there are stored energies only.
+    take_measurements(state);
+    state.measured.energy = EnergyLedger();
+    state.measured.energy.strain =
+      measures.strain_energy + loads_.compute_spring_energy(state.position) + bearings_.energy();
+    state.measured.energy.contact = contact_.energy() + walls_.energy();
+    state.measured.body_rates.assign(model_.bodies.size(), 0.);
+    state.measured.momentum = state.measured.angular_momentum = Vector3::Zero();
+  }
+
+  std::vector<DampingAudit> ExplicitSolver::damping_audit() const
+  {
+    return damping_watch_.compute_audit(motions_.rates());
+  }
+
+  void ExplicitSolver::serialize(ByteStream &common, ByteStream *own, State &state)
+  {
+    // What all ranks know.
+    RunBeginning beginning = beginning_.value_or(RunBeginning());
+    common.pass_required_part("state", [&](ByteStream &part) {
+      pass_state(part, communicator_, beginning, state);
+      motions_.serialize_rates(part);
+    });
+    if (!common.pass_part("damping references",
+                          [&](ByteStream &part) { motions_.serialize_places(part); }))
+      motions_.take_places(state);
+    common.pass_part("counted turns", [&](ByteStream &part) {
+      std::vector<double> windings = bearings_.windings();
+      part.pass_known(windings);
+      bearings_.set_windings(windings);
+      transmission_.serialize(part);
+    });
+    common.pass_required_part("constraints", [&](ByteStream &part) {
+      constraints_.serialize(part, *state.partition);
+    });
+    common.pass_required_part("energy", [&](ByteStream &part) { energy_.serialize(part); });
+    common.pass_part("damping", [&](ByteStream &part) { damping_watch_.serialize(part); });
+    common.pass_part("contact", [&](ByteStream &part) { contact_watch_.serialize(part); });
+    common.pass_part("contact impulse",
+                     [&](ByteStream &part) { part.pass_record(contact_impulse_); });
+    common.pass_part("friction", [&](ByteStream &part) {
+      contact_.serialize_friction(part);
+      walls_.serialize(part);
+    });
+    unsigned int n_substeps = n_substeps_;
+    common.pass_part("substeps", [&](ByteStream &part) {
+      part.pass(n_substeps);
+      part.require(n_substeps > 0 && n_substeps <= 1024,
+                   std::to_string(n_substeps) + " substeps, expected 1 to 1024");
+    });
+    // What this rank knows of the pairs that may touch.
+    if (own != nullptr)
+      own->pass_required_part("contact", [&](ByteStream &part) { contact_.serialize(part); });
+    if (!common.reads())
+      return;
+
+    beginning_ = beginning;
+    set_step(state.dt);
+    n_substeps_ = n_substeps;
+    dt_         = state.dt / n_substeps;
+    stability_.reset();
+    if (own == nullptr) // other ranks know other parts of the pairs
+      contact_.search(state.body_motion,
+                      motions_.rates(),
+                      state.position,
+                      search_interval * state.dt);
+    // What a failure before the next measurement would show.
+    observe_from(state);
+    observed_.measured.energy = energy_.ledger();
+    transmission_.measure(observed_, communicator_);
   }
 } // namespace vfife

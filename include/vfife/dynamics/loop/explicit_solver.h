@@ -9,13 +9,14 @@
 #include <vfife/dynamics/loads/nodal_loads.h>
 #include <vfife/dynamics/loads/rigid_walls.h>
 #include <vfife/dynamics/loads/torque_loads.h>
+#include <vfife/dynamics/loop/body_motions.h>
+#include <vfife/dynamics/loop/state_stream.h>
 #include <vfife/dynamics/motion/constraint_motion.h>
-#include <vfife/dynamics/motion/damping_reference.h>
 #include <vfife/dynamics/operator/vfife_operator.h>
 #include <vfife/dynamics/watch/contact_watch.h>
 #include <vfife/dynamics/watch/damping_watch.h>
 #include <vfife/dynamics/watch/energy_book.h>
-#include <vfife/dynamics/watch/energy_watch.h>
+#include <vfife/dynamics/watch/stability_watch.h>
 #include <vfife/dynamics/watch/transmission_measurement.h>
 #include <vfife/model/observer.h>
 
@@ -42,9 +43,18 @@ namespace vfife
                    Log                   &log,
                    Timers                &timers);
 
-    VfifeOperator &vfife_operator();
-    ContactSystem &contact();
-    RigidWalls    &walls();
+    VfifeOperator &vfife_operator()
+    {
+      return operator_;
+    }
+    ContactSystem &contact()
+    {
+      return contact_;
+    }
+    RigidWalls &walls()
+    {
+      return walls_;
+    }
 
     /** Largest stable step times safety, after the contact's vote [s]; penalties are set for
      * set_step(). */
@@ -52,7 +62,10 @@ namespace vfife
 
     /** Stable step of the elements by Dynamics/time step estimate, without safety and contact [s].
      */
-    double element_step() const;
+    double element_step() const
+    {
+      return element_step_;
+    }
 
     /** The step of the run [s], at most stable_step(). Sets the stiffness of points that stick. */
     void set_step(double dt);
@@ -89,14 +102,23 @@ namespace vfife
 
     /** Whether the step may be too long for the bodies, which are stable with that of the worst
      * element. */
-    bool may_be_unstable() const;
+    bool may_be_unstable() const
+    {
+      return stability_.may_be_unstable(dt_);
+    }
 
     /** Energy that alternates from step to step over the elastic energy at the last sample, looked
      * at while may_be_unstable(): 1 and more where a mode grows. */
-    double alternating_share() const;
+    double alternating_share() const
+    {
+      return stability_.alternating_share();
+    }
 
     /** Steps that are made in the place of one, see divide_step(). */
-    unsigned int n_substeps() const;
+    unsigned int n_substeps() const
+    {
+      return n_substeps_;
+    }
 
     /**
      * From here on makes @p n steps in the place of one, which go on being counted, sampled and
@@ -120,7 +142,10 @@ namespace vfife
     std::vector<DampingAudit> damping_audit() const;
 
     /** Of the last run(). */
-    const ContactLosses &contact_losses() const;
+    const ContactLosses &contact_losses() const
+    {
+      return contact_watch_.losses();
+    }
 
     /** Of a gear pair in the run so far. */
     const ContactImpulse &contact_impulse() const
@@ -129,19 +154,15 @@ namespace vfife
     }
 
     /** The rigid motion of each body that follows from its momentum. */
-    std::vector<RigidVelocity> compute_rigid_rates(const State &state) const;
+    std::vector<RigidVelocity> compute_rigid_rates(const State &state) const
+    {
+      return motions_.compute_rates(state);
+    }
 
     /** Steps between broad searches of the contact. */
     static constexpr unsigned int search_interval = 40;
 
   private:
-    /** The state in which the run in progress began. */
-    struct Beginning
-    {
-      std::uint64_t step = 0;
-      double        time = 0; ///< [s]
-    };
-
     /** After the votes of contact and loads [s]. */
     double vote_on_step(double element_step);
     void   begin_run(State &state);
@@ -154,7 +175,6 @@ namespace vfife
     void            watch_contact(const State &state);
     /** Of the state before the update; State::measured. */
     void take_measurements(State &state);
-    void set_damping(const State &state);
     /** @p keeps: the state before becomes the one that observers see. */
     StepWork update_nodes(State &state, bool keeps);
     /** Of drives, dampers and contact, from sums over all ranks. */
@@ -168,8 +188,6 @@ namespace vfife
     void take_reactions(const State &state);
     void show(Observers &observers, bool last);
     void check(const State &state, bool measured, const ElementMeasures &measures);
-    void check_stability(const State &state, const ElementMeasures &measures);
-    void advance_bodies(State &state);
 
     const Model          &model_;
     const DynamicsOptions options_;
@@ -189,26 +207,20 @@ namespace vfife
     double                  element_step_;   ///< [s]
     double                  dt_         = 0; ///< of a substep [s]
     unsigned int            n_substeps_ = 1; ///< in State::dt
-    double                  safe_step_  = 0; ///< by the worst element [s]
 
-    // One step; rates, damping and sums of each body.
-    NodeField                     forces_;
-    std::vector<RigidVelocity>    rigid_; ///< with the momenta of the body
-    std::vector<DampingReference> references_;
-    std::vector<BodyDamping>      damping_;
-    std::vector<BodySums>         sums_;    ///< of the last update, over all ranks
-    std::vector<NodalMotion>      motions_; ///< of the last sample, of this rank
+    // One step.
+    NodeField                forces_;
+    BodyMotions              motions_;
+    std::vector<NodalMotion> sampled_motions_; ///< of the last sample, of this rank
 
-    // What is kept of a run.
-    std::optional<Beginning> beginning_; ///< of the run in progress
-    EnergyBook               energy_;
-    DampingWatch             damping_watch_;
-    ContactWatch             contact_watch_;
-    ContactImpulse           contact_impulse_;
-    double                   alternating_energy_ = 0; ///< MotionSums, of the last sample [mJ]
-    double                   alternating_share_  = 0;
-    EnergyWatch              stability_watch_; ///< of what alternates from step to step
-    State                    observed_;        ///< measured last
+    // The run in progress, and what is kept of it.
+    std::optional<RunBeginning> beginning_;
+    EnergyBook                  energy_;
+    DampingWatch                damping_watch_;
+    ContactWatch                contact_watch_;
+    ContactImpulse              contact_impulse_;
+    StabilityWatch              stability_;
+    State                       observed_; ///< measured last
   };
 } // namespace vfife
 
