@@ -280,7 +280,8 @@ namespace vfife
     double sum = 0.;
     for (std::size_t i = 0; i < passes_.size(); ++i)
       sum +=
-        1. / least_ratio(i == 0 ? slave_masses : master_masses, passes_[i].slave_carried_areas()) +
+        1. / least_ratio(i == 0 ? slave_masses : master_masses,
+                         passes_[i].slave_points().carried_areas()) +
         1. / least_ratio(i == 0 ? master_masses : slave_masses, passes_[i].master_carried_areas());
     return 2. / sum;
   }
@@ -289,8 +290,8 @@ namespace vfife
   std::vector<double> Contact::slave_carried_areas() const
   {
     return passes_.size() == 1
-             ? passes_[0].slave_carried_areas()
-             : sum_of(passes_[0].slave_carried_areas(), passes_[1].master_carried_areas());
+             ? passes_[0].slave_points().carried_areas()
+             : sum_of(passes_[0].slave_points().carried_areas(), passes_[1].master_carried_areas());
   }
 
 
@@ -298,7 +299,7 @@ namespace vfife
   {
     return passes_.size() == 1
              ? passes_[0].master_carried_areas()
-             : sum_of(passes_[0].master_carried_areas(), passes_[1].slave_carried_areas());
+             : sum_of(passes_[0].master_carried_areas(), passes_[1].slave_points().carried_areas());
   }
 
 
@@ -322,16 +323,16 @@ namespace vfife
 
   double Contact::search_skin() const
   {
-    double skin = passes_[0].skin();
+    double skin = passes_[0].lists().skin();
     for (const ContactPass &pass : passes_)
-      skin = std::max(skin, pass.skin());
+      skin = std::max(skin, pass.lists().skin());
     return skin;
   }
 
 
   double Contact::depth_limit() const
   {
-    return passes_[0].depth_limit();
+    return passes_[0].lists().depth_limit();
   }
 
 
@@ -339,7 +340,7 @@ namespace vfife
   {
     std::size_t n = 0;
     for (const ContactPass &pass : passes_)
-      n += pass.n_listed_points();
+      n += pass.lists().n_points();
     return n;
   }
 
@@ -348,7 +349,7 @@ namespace vfife
   {
     std::size_t n = 0;
     for (const ContactPass &pass : passes_)
-      n += pass.n_wide_searches();
+      n += pass.lists().n_wide_searches();
     return n;
   }
 } // namespace vfife

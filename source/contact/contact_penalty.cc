@@ -26,7 +26,7 @@ namespace vfife
       for (unsigned int f = 0; f < pass.slave().n_facets(); ++f)
         least = std::min(least, pass.slave().facet_width(f));
     for (ContactPass &pass : passes_)
-      pass.vary_penalty(least);
+      pass.slave_points().vary_stiffness(least);
     return least;
   }
 
@@ -36,7 +36,7 @@ namespace vfife
     if (passes_.size() != 1)
       throw InputError("Contact/discretization",
                        "expected one pass with a stiffness per contact point, got two passes");
-    passes_.front().set_stiffness(of_group_points);
+    passes_.front().slave_points().set_stiffness(of_group_points);
   }
 
 
@@ -48,7 +48,8 @@ namespace vfife
     for (std::size_t i = 0; i < passes_.size(); ++i)
       for (unsigned int f = 0; f < passes_[i].slave().n_facets(); ++f)
         for (const unsigned int node : passes_[i].slave().corners(f))
-          stiffness[i][node] = std::max(stiffness[i][node], passes_[i].largest_stiffness_of(f));
+          stiffness[i][node] =
+            std::max(stiffness[i][node], passes_[i].slave_points().largest_stiffness(f));
     return stiffness;
   }
 

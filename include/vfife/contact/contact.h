@@ -2,9 +2,9 @@
 #ifndef vfife_contact_contact_h
 #define vfife_contact_contact_h
 
-#include <vfife/contact/contact_pass.h>
 #include <vfife/contact/contact_results.h>
 #include <vfife/contact/law/contact_options.h>
+#include <vfife/contact/pass/contact_pass.h>
 #include <vfife/contact/search/broad_search.h>
 
 #include <array>
