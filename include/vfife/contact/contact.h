@@ -96,7 +96,7 @@ namespace vfife
     /** From now on a factor of the penalty per point of a slave's group. Throws InputError. */
     void set_stiffness(const std::vector<double> &of_group_points);
 
-    /** What the penalty does to the nodes of the surfaces; refers to this contact. */
+    /** The points as springs on the nodes of the surfaces; refers to this contact. */
     NodeSprings node_springs() const
     {
       return NodeSprings(passes_);

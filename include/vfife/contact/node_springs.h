@@ -9,11 +9,12 @@
 
 namespace vfife
 {
-  /** The points of a contact as springs on the nodes of its surfaces, and the masses of the nodes
-   * that bear them. Arrays are those of the slave and of the master, by surface node. */
+  /** The points of a contact as springs on the nodes of its surfaces, and the mass per area that
+   * bears them. */
   class NodeSprings
   {
   public:
+    /** Slave's and master's values by surface node. */
     using OfSurfaces = std::array<std::vector<double>, 2>;
 
     /** Refers to the @p passes of a contact: one, or two with swapped roles. */

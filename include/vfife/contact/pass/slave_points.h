@@ -11,8 +11,8 @@
 
 namespace vfife
 {
-  /** A slave surface with the quadrature points of its facets: their areas, their offsets, and how
-   * stiff each is. A point is named by its facet and its place in the rule of a facet. */
+  /** A slave surface with the quadrature points of its facets: their areas, offsets and stiffness.
+   * Facet and place in the rule of a facet name a point. */
   class SlavePoints
   {
   public:
@@ -59,16 +59,17 @@ namespace vfife
       return offsets_[number(facet, rule_point)];
     }
 
-    /** Penalty at a point over that of the contact [-]; 1 at first. */
+    /** Penalty at a point over the contact's [-]; 1 at first. */
     double stiffness(const unsigned int facet, const unsigned int rule_point) const
     {
       return stiffness_[number(facet, rule_point)];
     }
     double largest_stiffness(unsigned int facet) const;
-    /** From now on it goes with 1/h, h the width of a facet; 1 for @p least_width [mm]. */
+    /** Makes the stiffness proportional to 1/h, h the width of a facet; 1 at @p least_width [mm].
+     */
     void vary_stiffness(double least_width);
-    /** Sets that of the points of a group, the same for all groups: one value per point. Throws
-     * InputError on another number. */
+    /** Sets one stiffness per point of a group, the same for all groups. Throws InputError on
+     * another number of values. */
     void set_stiffness(const std::vector<double> &of_group_points);
 
     /** Area of points that a node carries at most [mm^2] (CarriedArea): a node of this surface, and

@@ -10,8 +10,9 @@
 
 namespace vfife
 {
-  /** The smallest gap over the slave's facets, also between their points, searched from the gaps of
-   * @p points (those of a facet one after another) on. The gap is infinite when there is none. */
+  /** Smallest gap over the slave's facets, also between their points. The search begins at the
+   * smallest gaps of @p points, where points of a facet follow each other. The gap is infinite when
+   * there is none. */
   ContactPoint find_smallest_gap(PassSurfaces &surfaces, const std::vector<ListedPoint> &points);
 } // namespace vfife
 

@@ -13,7 +13,7 @@
 
 namespace vfife
 {
-  /** What friction does to a point in one evaluation. */
+  /** Friction at a point in one evaluation. */
   struct FrictionForce
   {
     Vector3 force;       ///< on the slave [N]
@@ -21,8 +21,8 @@ namespace vfife
     double  loss   = 0.; ///< of the slider since the evaluation before [mJ]
   };
 
-  /** Points that stick and slide: a point that comes to touch gets an anchor on the master, its
-   * friction is a spring from there behind a slider. The lists keep the anchors. */
+  /** Stick and slip of the points. A point that comes to touch gets an anchor on the master; its
+   * friction is a spring from there to its foot, behind a slider. The lists keep the anchors. */
   class StickSlip
   {
   public:
@@ -31,7 +31,7 @@ namespace vfife
     {
     }
 
-    /** What becomes of the anchors, see FrictionMode. Returns whether it was another mode. */
+    /** FrictionMode says how anchors move. Returns whether the mode changes. */
     bool set_mode(FrictionMode mode);
 
     /** Begins an evaluation: makes room for the anchors of the @p lists, none without friction. @p
@@ -44,17 +44,18 @@ namespace vfife
       return acts_;
     }
 
-    /** Puts anchors that restore() has got under the points of the @p lists. */
+    /** Gives the points of the @p lists the anchors of restore(), which are gone then. */
     void use_restored(std::vector<PointList> &lists);
 
-    /** A point of the list does not touch; @p located: its projection is that of now. */
+    /** A point of the list does not touch; @p located: its projection is up to date. */
     void open(PointList &list, const unsigned int point, const bool located)
     {
       if (acts_)
         open_anchor(list, point, located);
     }
 
-    /** The friction of a point under pressure, whose anchor follows; only where friction acts. */
+    /** Friction of a point under pressure, whose anchor follows; call it only where friction acts.
+     */
     FrictionForce stick(PointList                &list,
                         const Touch              &touch,
                         const TouchingPoint      &touching,
@@ -81,7 +82,7 @@ namespace vfife
     void open_anchor(PointList &list, unsigned int point, bool located);
     void place_anchors(const std::vector<AnchorOfPoint> &anchors, PointList &list) const;
 
-    /** Along the master in the @p time [s] of the velocities of now [mm]; zero for no time. */
+    /** Way along the master in the @p time [s] at the current velocities [mm]; zero for no time. */
     Vector3 slip_way(const ListedPoint &point, const TangentBasis &basis, double time) const;
 
     PassSurfaces              &surfaces_;

@@ -6,11 +6,11 @@
 
 namespace vfife
 {
-  /** What the forces of a touching point need beside its TouchingPoint. */
+  /** Geometry of a touching point that its forces need beside the TouchingPoint. */
   struct Touch
   {
-    unsigned int list, point; ///< of a pair of groups; in it
-    Vector3      x;           ///< on the slave's facet [mm]
+    unsigned int list, point; ///< numbers of the list and of its point
+    Vector3      x;           ///< position on the slave's facet [mm]
     Fading       fade;
     TangentBasis basis;
   };

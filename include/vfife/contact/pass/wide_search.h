@@ -10,19 +10,19 @@
 
 namespace vfife
 {
-  /** Where points without a projection lie on a group of the master, by boxes of its facets in
-   * their state at construction. */
+  /** Finds points that have no projection on a group of the master, by boxes of its facets in their
+   * state at construction. */
   class WideSearch
   {
   public:
     WideSearch(PassSurfaces &surfaces, unsigned int master_group);
 
-    /** The nearest foot [mm] of @p x below @p reach on a facet that faces @p slave_normal; false
-     * where there is none. */
+    /** Nearest foot of @p x within @p reach [mm] on a facet that faces @p slave_normal; false where
+     * there is none. */
     bool find_foot(const Vector3 &x, const Vector3 &slave_normal, double reach, Projection &foot);
 
-    /** Replaces the points of the @p list, which is of this master group: those of its share with
-     * gaps from -@p depth_reach to @p open_reach [mm], and those beyond the border. */
+    /** Replaces the points of a @p list with this master group: points of its share with gaps from
+     * -@p depth_reach to @p open_reach [mm], and points beyond the border. */
     void find_points(PointList &list, double open_reach, double depth_reach);
 
   private:
