@@ -32,7 +32,8 @@ namespace vfife
     return .5 * radius_squared + height_squared - height * height / volume;
   }
 
-  SolidIntegrals compute_solid_integrals(const dealii::Triangulation<3> &triangulation)
+  SolidIntegrals compute_solid_integrals(const dealii::Triangulation<3> &triangulation,
+                                         const std::vector<double>      &weights)
   {
     // The determinant is quadratic in each coordinate and so are squares of positions: three Gauss
     // points a direction are exact.
@@ -61,7 +62,8 @@ namespace vfife
               J.col(1) += value[0] * slope[1] * value[2] * corner;
               J.col(2) += value[0] * value[1] * slope[2] * corner;
             }
-          const double weight = quadrature.weight(q) * J.determinant();
+          const double weight = quadrature.weight(q) * J.determinant() *
+                                (weights.empty() ? 1. : weights[cell->active_cell_index()]);
           sum.volume += weight;
           sum.radius_squared += weight * x.head<2>().squaredNorm();
           sum.height += weight * x[2];

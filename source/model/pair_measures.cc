@@ -7,23 +7,31 @@
 
 namespace vfife
 {
-  double load_torque(const Model &model)
+  double torque_on(const Model &model, const unsigned int body, const std::optional<double> &time)
   {
-    const Transmission *const t   = model.only_transmission();
-    double                    sum = 0;
+    double sum = 0;
     for (const Torque &torque : model.torques)
-      if (t && torque.body == t->driven)
-        // Torques act + about the body's axis; what resists has the sign against its rotation.
-        sum -= t->driven_sense * torque.value;
+      if (torque.body == body)
+        sum += torque.value * (time ? torque.history.value(*time) : 1.);
     return sum;
   }
 
-  void set_teeth(std::vector<ToothContact> teeth, Measurements &measured)
+  double load_torque(const Model &model)
+  {
+    // Torques act + about the body's axis; a load has the sign against its rotation.
+    const Transmission *const t = model.only_transmission();
+    return t ? -t->driven_sense * torque_on(model, t->driven) : 0.;
+  }
+
+  void
+  set_teeth(std::vector<ToothContact> teeth, const std::size_t n_contacts, Measurements &measured)
   {
     measured.contact_force = measured.contact_torque = measured.largest_penetration = 0;
     measured.teeth_in_contact                                                       = teeth.size();
+    measured.contact_forces.assign(n_contacts, Vector3::Zero());
     for (const ToothContact &tooth : teeth)
       {
+        measured.contact_forces[tooth.contact] += tooth.force;
         measured.contact_force += tooth.force.norm();
         measured.contact_torque += tooth.torque;
         measured.largest_penetration = std::max(measured.largest_penetration, tooth.penetration);

@@ -4,15 +4,15 @@
 namespace vfife
 {
   ToothContact
-  make_tooth_contact(const Model &model, const ContactPair &pair, const GroupPairResult &result)
+  make_tooth_contact(const Model &model, const unsigned int contact, const GroupPairResult &result)
   {
     // The master of a gear pair is the driven member; its torque counts positive in the drive
     // direction.
-    const Axis               &axis  = model.bodies[pair.master_body].axis;
+    const Axis               &axis  = model.bodies[model.contacts[contact].master_body].axis;
     const Transmission *const t     = model.only_transmission();
     const double              sense = t ? t->driven_sense : 1.;
     ToothContact              tooth;
-    tooth.side         = pair.side;
+    tooth.contact      = contact;
     tooth.slave_group  = result.slave_group;
     tooth.master_group = result.master_group;
     tooth.force        = result.force;

@@ -4,6 +4,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/text/byte_stream.h>
 #include <vfife/model/model.h>
+#include <vfife/model/pair_measures.h>
 #include <vfife/model/state.h>
 #include <vfife/reduced/pair_readings.h>
 #include <vfife/reduced/reduced_pair.h>

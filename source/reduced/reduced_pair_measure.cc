@@ -33,12 +33,7 @@ namespace vfife
   void ReducedPair::measure_contact(State &state) const
   {
     Measurements &m = state.measured;
-    set_teeth(pair_.teeth(), m);
-    m.contact_forces.assign(model_.contacts.size(), Vector3::Zero());
-    for (const ToothContact &tooth : m.teeth)
-      for (std::size_t i = 0; i < model_.contacts.size(); ++i)
-        if (model_.contacts[i].side == tooth.side)
-          m.contact_forces[i] += tooth.force;
+    set_teeth(pair_.teeth(), model_.contacts.size(), m);
     if (state.contact_force.empty())
       return;
     state.contact_force.set_zero();
@@ -53,7 +48,7 @@ namespace vfife
   void ReducedPair::add_contact_impulse()
   {
     Measurements measured;
-    set_teeth(pair_.teeth(), measured);
+    set_teeth(pair_.teeth(), model_.contacts.size(), measured);
     contact_impulse_.add(time_step(), measured.contact_force, measured.contact_torque);
   }
 

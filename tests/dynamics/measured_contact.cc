@@ -56,7 +56,7 @@ namespace
         const Punch        &p     = punches[i];
         const ToothContact &found = m.teeth.at(i);
         const double        area = p.length * p.width, force = penalty * p.depth * area;
-        const std::string   name = found.side + ": ";
+        const std::string   name = model.contacts[found.contact].side + ": ";
         check_close(name + "area [mm^2]", found.area, area, 1e-9);
         check_close(name + "normal force [N]", found.normal_force, force, 1e-7);
         check_below(name + "force on the slave less that [N]",

@@ -135,7 +135,6 @@ namespace
     state.time = .25e-3;
     state.step = 40;
     ToothContact tooth;
-    tooth.side             = "drive";
     tooth.slave_group      = 3;
     tooth.master_group     = 17;
     tooth.force            = Vector3(2, -3, 6);
@@ -144,7 +143,7 @@ namespace
     tooth.largest_pressure = 41;
     tooth.area             = 2.5;
     state.measured.teeth.push_back(tooth);
-    tooth.side         = "coast";
+    tooth.contact      = 1;
     tooth.slave_group  = 12;
     tooth.master_group = 5;
     tooth.area         = 0; // nothing to share it

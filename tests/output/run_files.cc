@@ -76,7 +76,6 @@ namespace
     state.measured.energy.strain       = 12.5;
     state.measured.energy.scale        = 25;
     ToothContact tooth;
-    tooth.side         = "drive";
     tooth.slave_group  = 3;
     tooth.master_group = 77;
     tooth.force        = Vector3(3, 0, 4);
@@ -84,7 +83,7 @@ namespace
     tooth.normal_force = 6;
     tooth.area         = 2;
     state.measured.teeth.push_back(tooth);
-    tooth.side = "coast";
+    tooth.contact = 1;
     state.measured.teeth.push_back(tooth);
     ProbeValue probe;
     probe.displacement = Vector3(0.001, 0.002, 0.003);

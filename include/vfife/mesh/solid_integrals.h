@@ -31,8 +31,10 @@ namespace vfife
     double transverse() const;
   };
 
-  /** Of the trilinear cells of a mesh, exact. */
-  SolidIntegrals compute_solid_integrals(const dealii::Triangulation<3> &triangulation);
+  /** Of the trilinear cells of a mesh, exact. @p weights: by active cell, say of density; empty: 1.
+   */
+  SolidIntegrals compute_solid_integrals(const dealii::Triangulation<3> &triangulation,
+                                         const std::vector<double>      &weights = {});
 
   /** Of the solid of revolution of a polygon in the meridian, corners (r, z) in either sense: exact
    * (Pappus, by Green's theorem along the border). */

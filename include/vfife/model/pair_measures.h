@@ -2,6 +2,8 @@
 #ifndef vfife_model_pair_measures_h
 #define vfife_model_pair_measures_h
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace vfife
@@ -11,12 +13,16 @@ namespace vfife
   struct ToothContact;
   struct Transmission;
 
+  /** Sum of the model's torques on a body about its axis, at full load or, with their histories, at
+   * a @p time [N mm]. */
+  double torque_on(const Model &model, unsigned int body, const std::optional<double> &time = {});
+
   /** Torque on the driven member of a model's gear pair about its axis, positive against its
    * rotation; 0 without a gear pair [N mm]. */
   double load_torque(const Model &model);
 
-  /** Sets the tooth pairs in contact and what is summed over them. */
-  void set_teeth(std::vector<ToothContact> teeth, Measurements &measured);
+  /** Sets the tooth pairs in contact and the sums over them; @p n_contacts: Model::contacts. */
+  void set_teeth(std::vector<ToothContact> teeth, std::size_t n_contacts, Measurements &measured);
 
   /** Completes the angles, which are rotations beyond the kinematic turn so far, by what the driver
    * has turned since time zero, @p turn [rad], and sets the transmission errors. */

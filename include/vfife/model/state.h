@@ -43,7 +43,7 @@ namespace vfife
   /** One tooth pair (or other pair of surface groups) in contact. */
   struct ToothContact
   {
-    std::string  side;
+    unsigned int contact     = 0; ///< in Model::contacts
     unsigned int slave_group = 0, master_group = 0;
     Vector3      force  = Vector3::Zero(); ///< on the slave, fixed frame [N]
     double       torque = 0; ///< on the driven member about its axis, + resists the load [N mm]

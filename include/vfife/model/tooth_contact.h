@@ -15,10 +15,10 @@ namespace vfife
     Vector3      force = Vector3::Zero();
   };
 
-  /** What a pair of groups of the contact @p pair does (sums over all ranks), with the torque on
-   * the master's body about its axis. */
+  /** The results of a pair of groups (sums over all ranks) of @p contact in Model::contacts, with
+   * the torque on the master's body about its axis. */
   ToothContact
-  make_tooth_contact(const Model &model, const ContactPair &pair, const GroupPairResult &result);
+  make_tooth_contact(const Model &model, unsigned int contact, const GroupPairResult &result);
 } // namespace vfife
 
 #endif

@@ -280,7 +280,7 @@ namespace vfife
             sum.area                = s[7];
             sum.largest_pressure    = largest[0];
             sum.largest_penetration = largest[1];
-            teeth.push_back(make_tooth_contact(model_, pairs_[p]->definition, sum));
+            teeth.push_back(make_tooth_contact(model_, p, sum));
             if (!patches.empty())
               {
                 const PatchMoments &patch = patches[p][i];
@@ -290,16 +290,6 @@ namespace vfife
           }
       }
     return teeth;
-  }
-
-  std::vector<Vector3> ContactSystem::collect_forces(const std::vector<ToothContact> &teeth) const
-  {
-    std::vector<Vector3> forces(pairs_.size(), Vector3::Zero());
-    for (std::size_t i = 0; i < pairs_.size(); ++i)
-      for (const ToothContact &tooth : teeth)
-        if (tooth.side == pairs_[i]->definition.side)
-          forces[i] += tooth.force;
-    return forces;
   }
 
   void ContactSystem::measure_times(ContactTimes *times)

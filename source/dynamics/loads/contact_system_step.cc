@@ -319,13 +319,14 @@ namespace vfife
       return;
     // As many numbers on all ranks, whether this one has failed or not: candidates are the same.
     tooth_sums_.assign(1, 0.);
-    for (const auto &pair : pairs_)
+    for (unsigned int p = 0; p < pairs_.size(); ++p)
       {
-        const auto &results = pair->contact.results();
-        for (std::size_t i = 0; i < pair->contact.candidate_pairs().size(); ++i)
+        const Contact &contact = pairs_[p]->contact;
+        const auto    &results = contact.results();
+        for (std::size_t i = 0; i < contact.candidate_pairs().size(); ++i)
           {
             const GroupPairResult result = i < results.size() ? results[i] : GroupPairResult();
-            tooth_sums_.front() += make_tooth_contact(model_, pair->definition, result).torque;
+            tooth_sums_.front() += make_tooth_contact(model_, p, result).torque;
             tooth_sums_.insert(tooth_sums_.end(), result.force.begin(), result.force.end());
           }
       }

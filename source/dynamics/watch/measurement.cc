@@ -15,10 +15,9 @@ namespace vfife
   void
   measure_contact(const ContactSystem &contact, const RigidWalls &walls, Measurements &measured)
   {
-    set_teeth(contact.collect_results(), measured);
+    set_teeth(contact.collect_results(), contact.n_contacts(), measured);
     // Walls have no teeth.
     const RigidWalls::Results wall = walls.collect_results();
-    measured.contact_forces        = contact.collect_forces(measured.teeth);
     measured.contact_forces.insert(measured.contact_forces.end(),
                                    wall.forces.begin(),
                                    wall.forces.end());

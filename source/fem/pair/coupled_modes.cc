@@ -7,6 +7,7 @@
 #include <vfife/fem/solvers/sparse_matrix.h>
 #include <vfife/fem/system/load_forces.h>
 #include <vfife/model/body_frame.h>
+#include <vfife/model/pair_measures.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -102,12 +103,10 @@ namespace vfife
       const FemSpace     &d = system.space();
       const Model        &m = d.model();
       std::vector<double> forces(3 * static_cast<std::size_t>(d.n_points()), 0.);
-      double              sum = 0;
+      const unsigned int  driven = m.only_transmission()->driven;
+      const double        sum    = torque_on(m, driven);
       for (const Torque &torque : m.torques)
-        if (torque.body == m.only_transmission()->driven)
-          sum += torque.value;
-      for (const Torque &torque : m.torques)
-        if (torque.body == m.only_transmission()->driven)
+        if (torque.body == driven)
           add_torque_forces(torque, d, *d.find_part(torque.body), torque.value / sum, forces);
       return system.restrict_forces(forces);
     }

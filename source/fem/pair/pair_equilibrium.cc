@@ -3,6 +3,7 @@
 
 #include <vfife/base/errors.h>
 #include <vfife/fem/pair/pair_equilibrium.h>
+#include <vfife/model/pair_measures.h>
 
 #include <cmath>
 #include <set>
@@ -68,11 +69,7 @@ namespace vfife
 
   double PairEquilibrium::load(const double load_factor) const
   {
-    double sum = 0;
-    for (const Torque &torque : model_.torques)
-      if (torque.body == model_.only_transmission()->driven)
-        sum += load_factor * torque.value;
-    return sum;
+    return load_factor * torque_on(model_, model_.only_transmission()->driven);
   }
 
   std::string PairEquilibrium::find_excess(const Eigen::VectorXd &u) const

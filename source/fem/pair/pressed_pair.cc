@@ -310,10 +310,10 @@ namespace vfife
   std::vector<ToothContact> PressedPair::teeth() const
   {
     std::vector<ToothContact> teeth;
-    for (const auto &pair : pairs_)
-      for (const GroupPairResult &group : pair->contact.results())
+    for (unsigned int p = 0; p < pairs_.size(); ++p)
+      for (const GroupPairResult &group : pairs_[p]->contact.results())
         if (group.normal_force > 0)
-          teeth.push_back(make_tooth_contact(model_, pair->definition, group));
+          teeth.push_back(make_tooth_contact(model_, p, group));
     return teeth;
   }
 

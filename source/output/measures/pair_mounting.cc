@@ -3,18 +3,21 @@
 #include <vfife/model/state.h>
 #include <vfife/output/measures/pair_mounting.h>
 
+#include <algorithm>
+#include <tuple>
+
 namespace vfife
 {
   PairMounting::PairMounting(const Model &model)
   {
-    const Transmission &t = *model.only_transmission();
-    for (unsigned int b = 0; b < 2; ++b)
+    const Transmission &t                        = *model.only_transmission();
+    std::tie(members_[0].body, members_[1].body) = std::minmax(t.driver, t.driven);
+    for (Member &member : members_)
       {
-        const Body &body   = model.bodies[b];
-        Member     &member = members_[b];
+        const Body &body = model.bodies[member.body];
         // The body frame has its origin in the apex and z along the axis, to the back.
         member.undeformed = {body.placement.translation, body.placement.rotation.col(2)};
-        const auto &bore  = b == t.driver ? t.driver_bore : t.driven_bore;
+        const auto &bore  = member.body == t.driver ? t.driver_bore : t.driven_bore;
         if (!bore.empty())
           member.bore.emplace(body, bore, "bore of the " + body.name());
       }
@@ -23,7 +26,8 @@ namespace vfife
 
   bool PairMounting::changes(const Model &model)
   {
-    return !model.transmissions.empty() && (model.bodies[0].floats || model.bodies[1].floats);
+    const Transmission *const t = model.only_transmission();
+    return t && (model.bodies[t->driver].floats || model.bodies[t->driven].floats);
   }
 
   Mounting PairMounting::measure(const RingMotions &motion_of) const
@@ -35,7 +39,7 @@ namespace vfife
         if (!members_[b].bore)
           continue;
         const BodyRing          &bore   = *members_[b].bore;
-        const MeanMotion::Motion motion = motion_of(b, bore);
+        const MeanMotion::Motion motion = motion_of(members_[b].body, bore);
         // The apex lies on the axis: the turn of the body leaves it where it is.
         now[b].apex = bore.centre() + motion.displacement +
                       motion.rotation * (members_[b].undeformed.apex - bore.centre());

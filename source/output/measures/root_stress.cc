@@ -148,14 +148,13 @@ namespace vfife
         recorded.insert(tooth);
     if (teeth_ == RecordedTeeth::in_contact)
       for (const ToothContact &contact : teeth)
-        for (const ContactPair &pair : model_.contacts)
-          if (pair.side == contact.side)
-            {
-              const unsigned int tooth =
-                pair.slave_body == body ? contact.slave_group : contact.master_group;
-              for (const unsigned int step : {z - 1, 0u, 1u})
-                recorded.insert((tooth + step) % z);
-            }
+        {
+          const unsigned int tooth = model_.contacts[contact.contact].slave_body == body
+                                       ? contact.slave_group
+                                       : contact.master_group;
+          for (const unsigned int step : {z - 1, 0u, 1u})
+            recorded.insert((tooth + step) % z);
+        }
     return {recorded.begin(), recorded.end()};
   }
 

@@ -3,7 +3,9 @@
 #include <vfife/model/model.h>
 #include <vfife/output/observers/teeth_writer.h>
 
-#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace vfife
 {
@@ -20,7 +22,10 @@ namespace vfife
       const auto        tooth = [&](const unsigned int b) {
         return column::tooth_of(model.bodies[b].name());
       };
-      columns.add_text(column::side, [](Pair pair) { return pair.contact.side; });
+      std::vector<std::string> sides;
+      for (const ContactPair &contact : model.contacts)
+        sides.push_back(contact.side);
+      columns.add_text(column::side, [sides](Pair pair) { return sides[pair.contact.contact]; });
       columns.add(t ? tooth(t->driver) : "slave facet group", "-", [](Pair pair) {
         return pair.first;
       });
@@ -44,15 +49,11 @@ namespace vfife
       return columns;
     }
 
-    /** Whether the slave surface of that side belongs to the driven member. */
-    bool is_driven_slave(const Model &model, const std::string &side)
+    /** Whether the slave surface belongs to the driven member. */
+    bool is_driven_slave(const Model &model, const ContactPair &pair)
     {
-      if (model.transmissions.empty())
-        return false;
-      const auto pair = std::find_if(model.contacts.begin(),
-                                     model.contacts.end(),
-                                     [&side](const ContactPair &p) { return p.side == side; });
-      return pair != model.contacts.end() && pair->slave_body == model.only_transmission()->driven;
+      const Transmission *const t = model.only_transmission();
+      return t && pair.slave_body == t->driven;
     }
   } // namespace
 
@@ -69,7 +70,7 @@ namespace vfife
     for (const ToothContact &contact : state.measured.teeth)
       {
         ToothSample sample{contact, contact.slave_group, contact.master_group};
-        if (is_driven_slave(model, contact.side))
+        if (is_driven_slave(model, model.contacts[contact.contact]))
           // Columns are named after the members, driver first, whoever is the slave.
           std::swap(sample.first, sample.second);
         add_row(state, sample);

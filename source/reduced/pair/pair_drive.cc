@@ -3,6 +3,7 @@
 #include <vfife/base/text/byte_stream.h>
 #include <vfife/model/energy_ledger.h>
 #include <vfife/model/model.h>
+#include <vfife/model/pair_measures.h>
 #include <vfife/reduced/pair/pair_drive.h>
 
 #include <cmath>

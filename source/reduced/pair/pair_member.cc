@@ -2,6 +2,7 @@
 #include <vfife/base/text/byte_stream.h>
 #include <vfife/model/body_frame.h>
 #include <vfife/model/model.h>
+#include <vfife/model/pair_measures.h>
 #include <vfife/reduced/body_rings.h>
 #include <vfife/reduced/pair/pair_member.h>
 
@@ -83,15 +84,6 @@ namespace vfife
       return std::abs(rate - other) <= part * std::abs(other);
     }
   } // namespace
-
-  double torque_on(const Model &model, const unsigned int body, const double time)
-  {
-    double sum = 0;
-    for (const Torque &torque : model.torques)
-      if (torque.body == body)
-        sum += torque.value * torque.history.value(time);
-    return sum;
-  }
 
   PairMember::PairMember(const Model        &model,
                          const unsigned int  b,

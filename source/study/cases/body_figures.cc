@@ -3,13 +3,22 @@
 #include <vfife/mesh/gear/gear_meridian.h>
 #include <vfife/study/cases/body_figures.h>
 
-#include <cmath>
 #include <cstdio>
 
 namespace vfife
 {
   namespace
   {
+    /** Of each element over that of the first material; empty: all have this one. */
+    std::vector<double> relative_densities(const Body &body)
+    {
+      std::vector<double> densities;
+      if (body.materials().size() > 1)
+        for (unsigned int e = 0; e < body.n_elements(); ++e)
+          densities.push_back(body.material(e).density / body.materials().front().density);
+      return densities;
+    }
+
     /** Difference to the true body [%]. */
     double percent(const double mesh, const double exact)
     {
@@ -30,11 +39,12 @@ namespace vfife
                            const GearMember      &member,
                            const GearBodyOptions &options)
     : name(body.name())
-    , mass(body.mass())
-    , density(body.materials().size() == 1 ? body.materials().front().density : not_known)
+    , has_one_material(body.materials().size() == 1)
+    , density(body.materials().front().density)
     , quality(compute_mesh_quality(body.mesh().triangulation))
     , mesh(compute_solid_integrals(body.mesh().triangulation))
     , exact(compute_true_integrals(member, options))
+    , weighted(compute_solid_integrals(body.mesh().triangulation, relative_densities(body)))
   {
   }
 
@@ -51,18 +61,22 @@ namespace vfife
              quality.least_edge,
              " mm, largest aspect ratio ",
              quality.largest_aspect_ratio);
-    if (std::isnan(density))
+    // Integrals are those of volume [mm^3, mm^5].
+    const double to_kg = 1e3 * density; // t to kg
+    if (!has_one_material)
       {
         log.line(name,
                  ": mass ",
-                 1e3 * mass,
-                 " kg of several materials, volume ",
+                 to_kg * weighted.volume,
+                 " kg of several materials, polar inertia ",
+                 to_kg * weighted.polar(),
+                 " kg mm^2, transverse inertia ",
+                 to_kg * weighted.transverse(),
+                 " kg mm^2, volume ",
                  compared(mesh.volume, exact.volume, "mm^3"),
                  "; in brackets the difference to the true body");
         return;
       }
-    // Integrals are those of volume [mm^3, mm^5].
-    const double to_kg = 1e3 * density; // t to kg
     log.line(name,
              ": mass ",
              compared(to_kg * mesh.volume, to_kg * exact.volume, "kg"),
@@ -107,16 +121,18 @@ namespace vfife
                                           q.largest_edge,
                                           q.least_height};
         const double             to_kg = 1e3 * body.density;
-        // Several densities: the sum of the nodes' masses alone is known.
-        const double known = std::isnan(body.density) ? not_known : 1.;
-        for (const SolidIntegrals *s : {&body.mesh, &body.exact})
-          for (const double value :
-               {s->volume,
-                std::isnan(body.density) && s == &body.mesh ? 1e3 * body.mass : to_kg * s->volume,
-                known * s->centre(),
-                to_kg * s->polar(),
-                to_kg * s->transverse()})
+        // The true body is not cut where materials meet.
+        const double known = body.has_one_material ? 1. : not_known;
+        const auto   add = [&](const double volume, const SolidIntegrals &s, const double factor) {
+          for (const double value : {volume,
+                                     factor * to_kg * s.volume,
+                                     factor * s.centre(),
+                                     factor * to_kg * s.polar(),
+                                     factor * to_kg * s.transverse()})
             row.push_back(value);
+        };
+        add(body.mesh.volume, body.weighted, 1.);
+        add(body.exact.volume, body.exact, known);
         // One density: the difference of the mass is that of the volume.
         row.push_back(known * percent(body.mesh.volume, body.exact.volume));
         row.push_back(known * percent(body.mesh.polar(), body.exact.polar()));

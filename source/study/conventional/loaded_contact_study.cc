@@ -210,7 +210,7 @@ namespace vfife
         return positions;
       }
 
-      void add_teeth(double position, const PairEquilibriumResult &result);
+      void add_teeth(const Model &model, double position, const PairEquilibriumResult &result);
       void add_position(const Model                 &model,
                         const PairErrors            &errors,
                         double                       position,
@@ -329,7 +329,7 @@ namespace vfife
         const double turn = turns[i];
         if (positions[i].at_edge)
           {
-            add_teeth(positions[i].meshes, equilibrium.solve(turn, 1.));
+            add_teeth(model, positions[i].meshes, equilibrium.solve(turn, 1.));
             continue;
           }
         start                              = WallClock::now();
@@ -447,11 +447,13 @@ namespace vfife
                                             n_pressure_cells());
   }
 
-  void LoadedContactStudy::add_teeth(const double position, const PairEquilibriumResult &result)
+  void LoadedContactStudy::add_teeth(const Model                 &model,
+                                     const double                 position,
+                                     const PairEquilibriumResult &result)
   {
     for (const ToothContact &tooth : result.teeth)
       teeth_.add_row({position,
-                      tooth.side,
+                      model.contacts[tooth.contact].side,
                       tooth.slave_group,
                       tooth.master_group,
                       tooth.force.norm(),
@@ -476,7 +478,7 @@ namespace vfife
     const double        secant  = torque / std::abs(loaded - unloaded);
     const double        tangent = torque / std::abs(errors.slope);
 
-    add_teeth(position, result);
+    add_teeth(model, position, result);
     double force = 0, pressure = 0;
     for (const ToothContact &tooth : result.teeth)
       {

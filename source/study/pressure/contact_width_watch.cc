@@ -39,13 +39,12 @@ namespace vfife
 
   void ContactWidthWatch::observe(const Model &model, const State &state)
   {
-    for (std::size_t i = 0; i < largest_.size(); ++i)
-      for (const ToothContact &contact : state.measured.teeth)
-        if (contact.side == model.contacts[i].side && contact.normal_force > largest_[i].force)
-          {
-            largest_[i] = {contact.normal_force, contact.area, contact.width};
-            facets_[i]  = contact.facet_width;
-          }
+    for (const ToothContact &tooth : state.measured.teeth)
+      if (tooth.normal_force > largest_[tooth.contact].force)
+        {
+          largest_[tooth.contact] = {tooth.normal_force, tooth.area, tooth.width};
+          facets_[tooth.contact]  = tooth.facet_width;
+        }
   }
 
   std::string ContactWidthWatch::part_name() const

@@ -122,7 +122,7 @@ namespace vfife
     for (const ToothContact &tooth : state.measured.teeth)
       {
         // The other side of the teeth rattles at most.
-        if (tooth.side != model.contacts.front().side)
+        if (tooth.contact != 0)
           continue;
         // A run is not given up for what is only looked at.
         try

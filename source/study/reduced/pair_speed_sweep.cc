@@ -268,7 +268,7 @@ namespace vfife
     sample.error = m.transmission_error;
     sample.force = m.contact_force;
     sample.coast = std::any_of(m.teeth.begin(), m.teeth.end(), [](const auto &tooth) {
-      return tooth.side == "coast";
+      return tooth.contact != 0; // the flanks that do not transmit the torque
     });
     for (unsigned int n = 1; n <= SpeedResponse::largest_wave; ++n)
       sample.waves.push_back(find_rim_wave(rim, 2, n) * std::polar(1., -(n * turned)));
@@ -287,7 +287,8 @@ namespace vfife
     const double        meshes =
       (state.measured.driver_angle - t.driver_start) * t.driver_teeth / (2. * pi);
     for (const ToothContact &tooth : state.measured.teeth)
-      teeth.add_row({meshes, tooth.side, tooth.slave_group, tooth.force.norm()});
+      teeth.add_row(
+        {meshes, model_.contacts[tooth.contact].side, tooth.slave_group, tooth.force.norm()});
   }
 
   void PairSpeedSweep::turn_at(const double               speed,

@@ -113,7 +113,6 @@ namespace
     for (const auto &[force, width] : {std::make_pair(10., .1), {300., .0625}, {200., .75}})
       {
         ToothContact contact;
-        contact.side         = model.contacts[0].side;
         contact.normal_force = force;
         contact.area         = 1e-3;
         contact.width        = width;

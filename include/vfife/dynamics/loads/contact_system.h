@@ -133,11 +133,14 @@ namespace vfife
      * facets, depth and limit. Collective. */
     std::string describe_deepest_point() const;
 
+    /** Those of the model. */
+    std::size_t n_contacts() const
+    {
+      return pairs_.size();
+    }
+
     /** Pairs of surface groups that press on each other, summed over ranks. Collective. */
     std::vector<ToothContact> collect_results() const;
-
-    /** Force on the slave of each pair [N], of the results @p teeth. */
-    std::vector<Vector3> collect_forces(const std::vector<ToothContact> &teeth) const;
 
     /** For checkpoints: what this rank knows of the pairs that may touch. */
     void serialize(ByteStream &stream);

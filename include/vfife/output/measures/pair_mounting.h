@@ -15,9 +15,9 @@ namespace vfife
   struct State;
 
   /**
-   * How the members of a model's gear pair, body 0 the pinion, stand to each other: each is where
-   * the mean motion of its bore (Transmission) has taken apex and axis. A member whose bore turns
-   * as prescribed stays where it is.
+   * Mounting of the members of a model's gear pair; the first of the two bodies is the pinion. The
+   * mean motion of its bore (Transmission) moves apex and axis of a member. A member whose bore
+   * turns as prescribed keeps its place.
    */
   class PairMounting
   {
@@ -37,6 +37,7 @@ namespace vfife
   private:
     struct Member
     {
+      unsigned int            body = 0;
       MountedMember           undeformed;
       std::optional<BodyRing> bore; ///< none: it turns as prescribed
     };

@@ -15,9 +15,6 @@ namespace vfife
   struct Coupling;
   struct Model;
 
-  /** The model's torque on a body about its axis [N mm]. */
-  double torque_on(const Model &model, unsigned int body, double time);
-
   /** One of the two bodies of a ReducedPair. */
   struct PairMember
   {

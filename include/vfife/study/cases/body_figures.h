@@ -21,18 +21,19 @@ namespace vfife
   struct BodyFigures
   {
     std::string    name;
-    double         mass = 0; ///< of the nodes [t]
-    double         density;  ///< [t/mm^3]; not_known for several materials
+    bool           has_one_material;
+    double         density; ///< of the first material [t/mm^3]
     MeshQuality    quality;
     SolidIntegrals mesh, exact;
+    SolidIntegrals weighted; ///< of the mesh, by the density of each element over `density`
 
     BodyFigures(const Body &body, const GearMember &member, const GearBodyOptions &options);
 
     void write_to(Log &log) const;
   };
 
-  /** A row for each body: mesh.csv. Inertias, and masses of the true body, are not known for
-   * several materials. Differences are mesh over true body less one [%]. */
+  /** A row for each body: mesh.csv. Masses and inertias of the true body are not known for several
+   * materials. Differences are mesh over true body less one [%]. */
   Table body_figures_table(const std::vector<BodyFigures> &bodies);
 } // namespace vfife
 

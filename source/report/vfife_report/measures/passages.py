@@ -39,11 +39,17 @@ def find_passages(run):
 
 @dataclass
 class Engagement:
-    """Rows of teeth.csv of one tooth pair of the drive side, in the order of time."""
+    """Rows of teeth.csv of one tooth pair of the working side, in the order of time."""
     pinion_tooth: int
     gear_tooth: int
     rows: np.ndarray
     whole: bool  # first and last touch lie within the record
+
+
+def find_working_side(teeth):
+    """Side of the flanks that transmit the torque, "drive" or "coast": that with the larger sum of forces."""
+    sides = list(dict.fromkeys(teeth["side"]))
+    return max(sides, key=lambda side: teeth["force"][teeth["side"] == side].sum(), default="drive")
 
 
 def find_run_engagement(run):
@@ -54,12 +60,12 @@ def find_run_engagement(run):
 def find_engagement(teeth, start, end):
     """The last tooth pair whose first and last touch lie within the record; without one the pair
     that was longest in contact. None without contact."""
-    drive = teeth["side"] == "drive"
+    works = teeth["side"] == find_working_side(teeth)
     interval = np.diff(np.unique(teeth["time"]))
     slack = 0.5 * interval.min() if len(interval) else 0
     found = []
-    for pinion, gear in dict.fromkeys(zip(teeth["pinion tooth"][drive], teeth["gear tooth"][drive])):
-        rows = np.flatnonzero(drive & (teeth["pinion tooth"] == pinion) & (teeth["gear tooth"] == gear))
+    for pinion, gear in dict.fromkeys(zip(teeth["pinion tooth"][works], teeth["gear tooth"][works])):
+        rows = np.flatnonzero(works & (teeth["pinion tooth"] == pinion) & (teeth["gear tooth"] == gear))
         time = teeth["time"][rows]
         whole = bool(time[0] > start + slack and time[-1] < end - slack)
         found.append(Engagement(int(pinion), int(gear), rows, whole))

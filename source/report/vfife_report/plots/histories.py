@@ -5,6 +5,7 @@ from matplotlib.patheffects import withStroke
 
 from ..data.columns import CONTACT_FORCE
 from ..data.labels import ENERGY_CURVES
+from ..measures.passages import find_working_side
 from ..measures.periodicity import compute_mesh_average
 from .style import COLOURS, GREY, PALE, add_legend, label_ends, plt
 
@@ -71,7 +72,7 @@ def draw_transmission_error(run):
 
 
 def draw_contact_force(run):
-    """Sum of all tooth pairs and each pair; coast sides dashed."""
+    """Sum of all tooth pairs and each pair; the side that does not transmit the torque dashed."""
     history, teeth = run.history, run.teeth
     time = 1e3 * history["time"]
     plot, axes = plt.subplots()
@@ -91,6 +92,7 @@ def draw_contact_force(run):
 
 def draw_tooth_pairs(axes, history, teeth):
     """Whether they are named: where there are few enough."""
+    working = find_working_side(teeth)
     pairs = dict.fromkeys(zip(teeth["side"], teeth["pinion tooth"], teeth["gear tooth"]))
     for number, (side, pinion, gear) in enumerate(pairs):
         rows = (teeth["side"] == side) & (teeth["pinion tooth"] == pinion)
@@ -103,7 +105,7 @@ def draw_tooth_pairs(axes, history, teeth):
         force[at] = teeth["force"][rows]
         around = np.convolve(force > 0, np.ones(3), mode="same") > 0
         axes.plot(1e3 * history["time"], np.where(around, force, np.nan), color=colour,
-                  linestyle="-" if side == "drive" else "--",
+                  linestyle="-" if side == working else "--",
                   label=f"teeth {pinion:.0f}/{gear:.0f}, {side}")
         if len(pairs) > NAMED_PAIRS:
             continue

@@ -2,16 +2,17 @@
 """Plots of the contact of teeth: pattern on the flanks, load sharing, pressures."""
 import numpy as np
 
-from ..measures.passages import find_run_engagement
+from ..measures.passages import find_run_engagement, find_working_side
 from ..measures.pressures import find_allowed_pressure
 from .style import COLOURS, GREY, PRESSURE_MAP, plt
 
 
 def plot_pattern(axes, run, body):
-    """Largest nodal pressure on the flank of the drive side of one body over its largest, along and over its
+    """Largest nodal pressure on the working flank of one body over its largest, along and over its
     pitch cone, with the centre where the folder states it; what the shades are of."""
     pattern = run.pattern
-    rows = (pattern["side"] == "drive") & (pattern["body"] == body)
+    # The working side is the first one of the file.
+    rows = (pattern["side"] == pattern["side"][0]) & (pattern["body"] == body)
     r, z, pressure = (pattern[name][rows] for name in ("r", "z", "largest pressure"))
     share = pressure / max(pressure.max(), 1e-6)
     size = run.geometry.get(body, {})
@@ -70,17 +71,17 @@ def draw_contact_patterns(study):
 def draw_load_sharing(run):
     """Share of the tooth pair that passes the mean contact during the record, and pressures."""
     teeth, frequency = run.teeth, run.value("mesh frequency")
-    drive = teeth["side"] == "drive"
+    works = teeth["side"] == find_working_side(teeth)
     total = {}
-    for time, force in zip(teeth["time"][drive], teeth["force"][drive]):
+    for time, force in zip(teeth["time"][works], teeth["force"][works]):
         total[time] = total.get(time, 0) + force
     plot, (above, below) = plt.subplots(2, 1, sharex=True, figsize=(8, 6.5))
     # Tooth 0 is in mesh at the start and the next one is the last: their number is the largest plus
     # one.
     count = int(teeth["pinion tooth"].max()) + 1
-    pairs = zip(teeth["pinion tooth"][drive], teeth["gear tooth"][drive])
+    pairs = zip(teeth["pinion tooth"][works], teeth["gear tooth"][works])
     for number, (tooth, gear_tooth) in enumerate(dict.fromkeys(pairs)):
-        rows = drive & (teeth["pinion tooth"] == tooth) & (teeth["gear tooth"] == gear_tooth)
+        rows = works & (teeth["pinion tooth"] == tooth) & (teeth["gear tooth"] == gear_tooth)
         # Teeth follow each other in the - sense of the numbers, one a mesh cycle, and come again.
         at = teeth["time"][rows] * frequency
         turns = np.round((at.mean() + tooth) / count)
