@@ -37,7 +37,7 @@ namespace vfife
     return state.step % steps_between_ == 0;
   }
 
-  void ContactWidthWatch::observe(const Model &model, const State &state)
+  void ContactWidthWatch::observe(const Model &, const State &state)
   {
     for (const ToothContact &tooth : state.measured.teeth)
       if (tooth.normal_force > largest_[tooth.contact].force)
