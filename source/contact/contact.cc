@@ -1,9 +1,10 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/text/byte_stream.h>
 #include <vfife/contact/contact.h>
 
 #include <algorithm>
-#include <functional>
+#include <cmath>
 #include <limits>
 
 namespace vfife
@@ -27,14 +28,6 @@ namespace vfife
       return passes;
     }
 
-    /** Of two passes node by node. */
-    std::vector<double> sum_of(std::vector<double> areas, const std::vector<double> &of_other_pass)
-    {
-      std::transform(
-        areas.begin(), areas.end(), of_other_pass.begin(), areas.begin(), std::plus<>());
-      return areas;
-    }
-
     /** From the slave's undeformed frame into the master's. */
     RigidMotion slave_to_master(const RigidMotion &slave, const RigidMotion &master)
     {
@@ -42,18 +35,6 @@ namespace vfife
       motion.rotation    = master.rotation.transpose() * slave.rotation;
       motion.translation = master.rotation.transpose() * (slave.translation - master.translation);
       return motion;
-    }
-
-    /** Least mass over area of the nodes; those without area carry no spring. */
-    double least_ratio(const std::vector<double> &masses, const std::vector<double> &areas)
-    {
-      if (masses.size() != areas.size())
-        throw InputError("contact: expected one mass per surface node");
-      double least = std::numeric_limits<double>::infinity();
-      for (std::size_t i = 0; i < areas.size(); ++i)
-        if (areas[i] > 0.)
-          least = std::min(least, masses[i] / areas[i]);
-      return least;
     }
 
     using GroupPair = std::pair<unsigned int, unsigned int>;
@@ -87,12 +68,9 @@ namespace vfife
   Contact::Contact(const FacetSurface   &slave,
                    const FacetSurface   &master,
                    const ContactOptions &options)
-    : options_(options)
-    , law_(options.penalty.law(options.penalty))
-    , friction_(options.friction.acts() ? options.friction.law(options.friction) : nullptr)
+    : interaction_(options)
     , passes_(make_passes(slave, master, options))
     , broad_search_(passes_.front().slave(), passes_.front().master())
-    , penalty_(options.penalty.value)
   {
   }
 
@@ -147,13 +125,34 @@ namespace vfife
   }
 
 
+  double Contact::vary_penalty()
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const ContactPass &pass : passes_)
+      for (unsigned int f = 0; f < pass.slave().n_facets(); ++f)
+        least = std::min(least, pass.slave().facet_width(f));
+    for (ContactPass &pass : passes_)
+      pass.slave_points().vary_stiffness(least);
+    return least;
+  }
+
+
+  void Contact::set_stiffness(const std::vector<double> &of_group_points)
+  {
+    if (passes_.size() != 1)
+      throw InputError("Contact/discretization",
+                       "expected one pass with a stiffness per contact point, got two passes");
+    passes_.front().slave_points().set_stiffness(of_group_points);
+  }
+
+
   void Contact::add_forces(const SurfaceMotion &slave,
                            const SurfaceMotion &master,
                            const double         dt,
                            double              *slave_forces,
                            double              *master_forces)
   {
-    if (!(penalty_ > 0.))
+    if (!(penalty() > 0.))
       throw NumericalError("contact: the penalty is not set (Contact::set_penalty)");
     std::vector<TouchingPoint> points = locate(slave, master, dt, 0.);
     find_explicit_pressures(dt, points);
@@ -164,14 +163,14 @@ namespace vfife
   void Contact::find_explicit_pressures(const double dt, std::vector<TouchingPoint> &points) const
   {
     // The elastic pressures go through the law all at once.
+    const SurfaceInteraction  interaction = this->interaction(dt);
     std::vector<PressedPoint> pressed(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
       {
         pressed[i].penetration = -points[i].gap;
-        pressed[i].penalty     = penalty_ * points[i].stiffness;
+        pressed[i].penalty     = interaction.penalty * points[i].stiffness;
       }
-    law_->evaluate(pressed);
-    const SurfaceInteraction interaction = this->interaction(dt);
+    interaction.law.evaluate(pressed);
     for (std::size_t i = 0; i < points.size(); ++i)
       {
         points[i].elastic = pressed[i].pressure;
@@ -265,43 +264,6 @@ namespace vfife
   }
 
 
-  double Contact::mass_per_area(const std::vector<double> &slave_masses,
-                                const std::vector<double> &master_masses) const
-  {
-    return std::min(least_ratio(slave_masses, slave_node_areas()),
-                    least_ratio(master_masses, master_node_areas()));
-  }
-
-
-  double Contact::carried_mass_per_area(const std::vector<double> &slave_masses,
-                                        const std::vector<double> &master_masses) const
-  {
-    // Each pass adds at most eps (max A/m of its slave + max A/m of its master).
-    double sum = 0.;
-    for (std::size_t i = 0; i < passes_.size(); ++i)
-      sum +=
-        1. / least_ratio(i == 0 ? slave_masses : master_masses, passes_[i].slave_carried_areas()) +
-        1. / least_ratio(i == 0 ? master_masses : slave_masses, passes_[i].master_carried_areas());
-    return 2. / sum;
-  }
-
-
-  std::vector<double> Contact::slave_carried_areas() const
-  {
-    return passes_.size() == 1
-             ? passes_[0].slave_carried_areas()
-             : sum_of(passes_[0].slave_carried_areas(), passes_[1].master_carried_areas());
-  }
-
-
-  std::vector<double> Contact::master_carried_areas() const
-  {
-    return passes_.size() == 1
-             ? passes_[0].master_carried_areas()
-             : sum_of(passes_[0].master_carried_areas(), passes_[1].slave_carried_areas());
-  }
-
-
   std::vector<ContactPoint> Contact::points() const
   {
     std::vector<ContactPoint> points;
@@ -315,23 +277,23 @@ namespace vfife
   {
     std::vector<ContactSpring> springs;
     for (std::size_t i = 0; i < passes_.size(); ++i)
-      passes_[i].append_springs(*law_, penalty_, i == 1, springs);
+      passes_[i].append_springs(interaction_.law(), penalty(), i == 1, springs);
     return springs;
   }
 
 
   double Contact::search_skin() const
   {
-    double skin = passes_[0].skin();
+    double skin = passes_[0].lists().skin();
     for (const ContactPass &pass : passes_)
-      skin = std::max(skin, pass.skin());
+      skin = std::max(skin, pass.lists().skin());
     return skin;
   }
 
 
   double Contact::depth_limit() const
   {
-    return passes_[0].depth_limit();
+    return passes_[0].lists().depth_limit();
   }
 
 
@@ -339,7 +301,7 @@ namespace vfife
   {
     std::size_t n = 0;
     for (const ContactPass &pass : passes_)
-      n += pass.n_listed_points();
+      n += pass.lists().n_points();
     return n;
   }
 
@@ -348,7 +310,85 @@ namespace vfife
   {
     std::size_t n = 0;
     for (const ContactPass &pass : passes_)
-      n += pass.n_wide_searches();
+      n += pass.lists().n_wide_searches();
     return n;
+  }
+
+
+  void Contact::set_shares(const std::vector<PointShare> &shares)
+  {
+    // The second pass has the same pairs in the same order.
+    for (ContactPass &pass : passes_)
+      pass.set_shares(shares);
+    results_ = passes_[0].results();
+  }
+
+
+  std::vector<double> Contact::take_work()
+  {
+    std::vector<double> of_pairs(candidate_pairs_.size(), 0.);
+    for (ContactPass &pass : passes_)
+      pass.take_work(of_pairs);
+    return of_pairs;
+  }
+
+
+  void Contact::serialize(ByteStream &stream)
+  {
+    stream.pass(candidate_pairs_);
+    for (const auto &pair : candidate_pairs_)
+      stream.require(pair.first < passes_[0].slave().n_groups() &&
+                       pair.second < passes_[0].master().n_groups(),
+                     "groups that the surfaces have not");
+    for (ContactPass &pass : passes_)
+      pass.serialize(stream);
+    if (stream.reads())
+      find_active_nodes();
+  }
+
+
+  void Contact::set_friction_mode(const FrictionMode mode)
+  {
+    for (ContactPass &pass : passes_)
+      pass.set_friction_mode(mode);
+  }
+
+
+  std::vector<AnchorOfPoint> Contact::anchors() const
+  {
+    std::vector<AnchorOfPoint> anchors;
+    for (unsigned int i = 0; i < passes_.size(); ++i)
+      passes_[i].append_anchors(i, anchors);
+    return anchors;
+  }
+
+
+  bool Contact::has_restored_anchors() const
+  {
+    return std::any_of(passes_.begin(), passes_.end(), [](const ContactPass &pass) {
+      return pass.has_restored_anchors();
+    });
+  }
+
+
+  bool Contact::has_place(const AnchorOfPoint &of_point) const
+  {
+    const ContactAnchor &anchor = of_point.anchor;
+    return of_point.pass < passes_.size() &&
+           anchor.facet < passes_[of_point.pass].master().n_facets() &&
+           std::isfinite(anchor.xi + anchor.eta + anchor.elastic + anchor.energy);
+  }
+
+
+  void Contact::restore_anchors(const std::vector<AnchorOfPoint> &anchors)
+  {
+    for (unsigned int i = 0; i < passes_.size(); ++i)
+      {
+        std::vector<AnchorOfPoint> of_pass;
+        for (const AnchorOfPoint &anchor : anchors)
+          if (anchor.pass == i)
+            of_pass.push_back(anchor);
+        passes_[i].restore_anchors(of_pass);
+      }
   }
 } // namespace vfife

@@ -38,14 +38,12 @@ namespace vfife
   void PressureSolver::add(const TouchingPoint               &point,
                            const std::array<unsigned int, 4> &slave_nodes,
                            const std::array<unsigned int, 4> &master_nodes,
-                           const ContactLaw                  &law,
-                           const double                       penalty,
-                           const double                       damping)
+                           const SurfaceInteraction          &interaction)
   {
     Row row;
-    row.law     = &law;
-    row.penalty = penalty * point.stiffness;
-    row.damping = damping * std::sqrt(point.stiffness);
+    row.law     = &interaction.law;
+    row.penalty = interaction.penalty * point.stiffness;
+    row.damping = interaction.damping * std::sqrt(point.stiffness);
     row.area    = point.area;
     row.gap     = point.gap;
     double rate = 0.;

@@ -42,7 +42,8 @@ namespace vfife
   TangentBasis::TangentBasis(SurfaceGeometry  &master,
                              const Projection &p,
                              const Vector3    &x,
-                             const Vector3    &normal)
+                             const Vector3    &unit_normal)
+    : normal(unit_normal)
   {
     // Dual vectors of y_xi, y_eta, n; slopes of bilinear weights in the order (0,0), (1,0), (1,1),
     // (0,1).

@@ -59,9 +59,9 @@ namespace
   largest_loads(Planes &planes, const double largest_angle, std::mt19937 &random)
   {
     std::uniform_real_distribution<double> any(0., 1.);
-    const auto                             slave_bounds  = planes.contact.slave_carried_areas();
-    const auto                             master_bounds = planes.contact.master_carried_areas();
-    std::pair<double, double>              largest       = {0., 0.};
+    const auto                             bounds = planes.contact.node_springs().carried_areas();
+    const std::vector<double>              slave_bounds = bounds[0], master_bounds = bounds[1];
+    std::pair<double, double>              largest = {0., 0.};
     for (unsigned int i = 0; i < n_placements; ++i)
       {
         std::vector<double> on_slave(slave_bounds.size(), 0.), on_master(master_bounds.size(), 0.);
@@ -141,7 +141,7 @@ namespace
     RigidMotion motion;
     motion.rotation     = rotation_about(Vector3::UnitZ(), 0.1);
     motion.translation  = Vector3(3., 3., 0.);
-    const auto anywhere = both.master_carried_areas();
+    const auto anywhere = both.node_springs().carried_areas()[1];
     one.place(motion, {});
     other.place({}, motion);
     both.place(motion, {});
@@ -155,15 +155,15 @@ namespace
       check_below("two passes at their start: " + name, worst, 1e-13);
     };
     compare("slave's nodes",
-            both.slave_carried_areas(),
-            one.slave_carried_areas(),
-            other.master_carried_areas());
+            both.node_springs().carried_areas()[0],
+            one.node_springs().carried_areas()[0],
+            other.node_springs().carried_areas()[1]);
     compare("master's nodes",
-            both.master_carried_areas(),
-            one.master_carried_areas(),
-            other.slave_carried_areas());
+            both.node_springs().carried_areas()[1],
+            one.node_springs().carried_areas()[1],
+            other.node_springs().carried_areas()[0]);
     check("two passes at their start: the direction counts",
-          both.master_carried_areas() != anywhere);
+          both.node_springs().carried_areas()[1] != anywhere);
   }
 
   /** Largest square of the frequency of free nodes on the springs alone. */
@@ -206,14 +206,14 @@ namespace
     };
     for (const double width : {0.5, 1., 2.5, 6.})
       {
-        Planes      planes(Vector2(width, width),
+        Planes            planes(Vector2(width, width),
                       width > 5. ? 1 : 3,
                       make_options(ContactDiscretization::surface_points));
-        const auto &contact = planes.contact;
-        const auto  slave   = masses(contact.slave_node_areas(), width),
-                   master   = masses(contact.master_node_areas(), 1.);
-        const double bound  = 2. * penalty / contact.carried_mass_per_area(slave, master);
-        double       square = 0.;
+        const NodeSprings springs = planes.contact.node_springs();
+        const auto        slave   = masses(springs.slave_areas(), width),
+                   master         = masses(springs.master_areas(), 1.);
+        const double bound        = 2. * penalty / springs.carried_mass_per_area(slave, master);
+        double       square       = 0.;
         // Anywhere inside, and with the heaviest point of a facet on the master's corner.
         for (const double place : {3., 3.1, 3.25, 3.5, 1e-6 - 0.5 * width})
           square =

@@ -340,23 +340,26 @@ namespace
     double error = 0., sum = 0.;
     for (unsigned int n = 0; n < expected.size(); ++n)
       {
-        error = largest_of(error, std::abs(contact.slave_node_areas().at(n) - expected[n]));
-        sum += contact.slave_node_areas()[n];
+        error =
+          largest_of(error, std::abs(contact.node_springs().slave_areas().at(n) - expected[n]));
+        sum += contact.node_springs().slave_areas()[n];
       }
     check_below("areas of the nodes [mm^2]", error, 1e-14);
     check_close("their sum", sum, 6. + 8. + 8., 1e-13);
-    const auto  &other = contact.master_node_areas();
+    const auto  &other = contact.node_springs().master_areas();
     const double cell  = 0.5 * 1.;
     check_close("corner of the other surface", other.at(0), 0.25 * cell, 1e-15);
     check_close("its middle", other.at(4), cell, 1e-15);
     // Masses of 2 and 3 mg a node: the least of both sides, m/A of the largest area.
     const std::vector<double> slave_masses(8, 2e-9), master_masses(9, 3e-9);
     check_close("least mass over area, of the slave [t/mm^2]",
-                contact.mass_per_area(slave_masses, master_masses) / (2e-9 / expected[1]),
+                contact.node_springs().mass_per_area(slave_masses, master_masses) /
+                  (2e-9 / expected[1]),
                 1.,
                 1e-14);
     check_close("least mass over area, of the master [t/mm^2]",
-                contact.mass_per_area(slave_masses, std::vector<double>(9, 1e-10)) / (1e-10 / cell),
+                contact.node_springs().mass_per_area(slave_masses, std::vector<double>(9, 1e-10)) /
+                  (1e-10 / cell),
                 1.,
                 1e-14);
   }

@@ -47,7 +47,7 @@ namespace
       PressureSolver             solver(dt, nodes);
       std::vector<TouchingPoint> points = {middle_point(place[0] - place[1], 1.)};
       points[0].pressure                = pressure; // of the step before
-      solver.add(points[0], {{0, 1, 2, 3}}, {{4, 5, 6, 7}}, law, penalty, damping);
+      solver.add(points[0], {{0, 1, 2, 3}}, {{4, 5, 6, 7}}, {law, penalty, damping});
       solver.solve(points);
       pressure = points[0].pressure;
       loss -= (pressure - points[0].elastic) * points[0].gap_rate * dt;
@@ -162,7 +162,7 @@ namespace
               point.master_slopes[k][2] = -N[(k + 1) % 4];
             }
           points.push_back(point);
-          solver.add(point, {{0, 1, 2, 3}}, {{4, 5, 6, 7}}, law, penalty, 0.);
+          solver.add(point, {{0, 1, 2, 3}}, {{4, 5, 6, 7}}, {law, penalty});
         }
     solver.solve(points);
     // What the pressures make of the velocities, and the gaps at both ends by it.

@@ -113,7 +113,7 @@ namespace test_surfaces
       force                         = slave.force()[2];
       const GroupPairResult &result = contact.results().front();
       largest_pressure              = result.largest_pressure;
-      peak                          = slave.forces[2] / contact.slave_node_areas()[0];
+      peak                          = slave.forces[2] / contact.node_springs().slave_areas()[0];
       // Second moment of the nodal forces. Cells of length h share a force between nodes whose x^2
       // is by h^2/6 larger on average.
       double       moment = 0.;

@@ -2,14 +2,13 @@
 #ifndef vfife_contact_contact_h
 #define vfife_contact_contact_h
 
-#include <vfife/contact/contact_pass.h>
 #include <vfife/contact/contact_results.h>
+#include <vfife/contact/law/contact_interaction.h>
 #include <vfife/contact/law/contact_options.h>
+#include <vfife/contact/node_springs.h>
+#include <vfife/contact/pass/contact_pass.h>
 #include <vfife/contact/search/broad_search.h>
 
-#include <array>
-#include <limits>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -73,18 +72,34 @@ namespace vfife
      * gap-rate damping c = 2 ratio sqrt(eps m/A). Without it (0) that of
      * PenaltyOptions::mass_per_area_for the step is taken.
      */
-    void set_penalty(double penalty, double mass_per_area = 0.);
-    /** From now on the penalty goes with 1/h, h the width of a facet; set_penalty() sets that of
-     * the narrowest, whose width [mm] is returned. Largest one at each node over that. */
-    double                             vary_penalty();
-    std::array<std::vector<double>, 2> node_stiffness() const;
-    /** From now on a factor of the penalty per point of a slave's group. Throws InputError. */
-    void set_stiffness(const std::vector<double> &of_group_points);
-    /** Points that stick have at most this stiffness [N/mm^3]. */
-    void   limit_tangential_penalty(double limit);
+    void set_penalty(const double penalty, const double mass_per_area = 0.)
+    {
+      interaction_.set_penalty(penalty, mass_per_area);
+    }
     double penalty() const
     {
-      return penalty_;
+      return interaction_.penalty();
+    }
+    /** See ContactInteraction::limit_tangential_penalty, ContactInteraction::at_step. */
+    void limit_tangential_penalty(const double limit)
+    {
+      interaction_.limit_tangential_penalty(limit);
+    }
+    SurfaceInteraction interaction(const double dt) const
+    {
+      return interaction_.at_step(dt);
+    }
+
+    /** From now on the penalty goes with 1/h, h the width of a facet; set_penalty() sets that of
+     * the narrowest, whose width [mm] is returned. */
+    double vary_penalty();
+    /** From now on a factor of the penalty per point of a slave's group. Throws InputError. */
+    void set_stiffness(const std::vector<double> &of_group_points);
+
+    /** The points as springs on the nodes of the surfaces; refers to this contact. */
+    NodeSprings node_springs() const
+    {
+      return NodeSprings(passes_);
     }
 
     /** Which points of each candidate pair, in their order, are this rank's (in the second of two
@@ -120,16 +135,6 @@ namespace vfife
                double                           *slave_forces,
                double                           *master_forces);
 
-    const ContactLaw &law() const
-    {
-      return *law_;
-    }
-    /** Pressure per closing speed at the step @p dt [N s/mm^3]. */
-    double damping(const double dt) const
-    {
-      return interaction(dt).damping;
-    }
-
     /** Of this rank in the last add_forces(), in the order of candidate_pairs(). */
     const std::vector<GroupPairResult> &results() const
     {
@@ -151,36 +156,12 @@ namespace vfife
     std::pair<std::vector<unsigned int>, std::vector<unsigned int>>
     find_near_nodes(const SurfaceMotion &slave, const SurfaceMotion &master, double reach);
 
-    /** Undeformed tributary areas of the surface nodes [mm^2]. */
-    const std::vector<double> &slave_node_areas() const
-    {
-      return passes_.front().slave().node_areas();
-    }
-    const std::vector<double> &master_node_areas() const
-    {
-      return passes_.front().master().node_areas();
-    }
-
     /** Where the bodies are at the start: carried areas then reckon with how the facets lie to each
      * other there, without it also with any other direction. */
     void place(const RigidMotion &slave, const RigidMotion &master);
 
-    /** Area of the contact's points that a surface node carries at most [mm^2]: eps times it is the
-     * stiffness of the springs there. That of a coarse slave can exceed a node's tributary area. */
-    std::vector<double> slave_carried_areas() const;
-    std::vector<double> master_carried_areas() const;
-
-    /** Least m/A [t/mm^2] over the nodes with tributary area; masses [t] by surface node. */
-    double mass_per_area(const std::vector<double> &slave_masses,
-                         const std::vector<double> &master_masses) const;
-
-    /** m/A [t/mm^2] with which the springs add at most 2 eps A/m to the square of the highest
-     * circular frequency wherever the surfaces lie to each other, by the carried areas. */
-    double carried_mass_per_area(const std::vector<double> &slave_masses,
-                                 const std::vector<double> &master_masses) const;
-
     /** Mean facet size of the slave over that of the master; one that is much larger than 1 costs
-     * penalty, see mass_per_area(). */
+     * penalty, see NodeSprings::mass_per_area(). */
     double coarseness() const
     {
       return passes_.front().slave().mean_facet_size() / passes_.front().master().mean_facet_size();
@@ -230,16 +211,11 @@ namespace vfife
     std::size_t n_wide_searches() const;
 
   private:
-    SurfaceInteraction                 interaction(double dt) const;
-    void                               find_active_nodes();
-    ContactOptions                     options_;
-    std::unique_ptr<const ContactLaw>  law_;
-    std::unique_ptr<const FrictionLaw> friction_; ///< none: no friction
-    std::vector<ContactPass>           passes_;   ///< one, or two with swapped roles
-    BroadSearch                        broad_search_;
-    double                             penalty_;
-    double                             mass_per_area_    = 0.;
-    double                             tangential_limit_ = std::numeric_limits<double>::infinity();
+    void find_active_nodes();
+
+    ContactInteraction       interaction_;
+    std::vector<ContactPass> passes_; ///< one, or two with swapped roles
+    BroadSearch              broad_search_;
 
     std::vector<std::pair<unsigned int, unsigned int>> candidate_pairs_;
     std::vector<unsigned int>                          active_slave_nodes_, active_master_nodes_;

@@ -2,7 +2,7 @@
 #ifndef vfife_contact_pressure_solver_h
 #define vfife_contact_pressure_solver_h
 
-#include <vfife/contact/law/contact_law.h>
+#include <vfife/contact/law/surface_interaction.h>
 #include <vfife/contact/touching_point.h>
 
 #include <vector>
@@ -33,14 +33,12 @@ namespace vfife
     /** Begins anew with other nodes and no point. */
     void reset(double dt, const std::vector<Node> &nodes);
 
-    /** Adds a point, which names @p slave_nodes and @p master_nodes here; @p penalty [N/mm^3] and
-     * gap-rate @p damping [N s/mm^3] are those of its contact where it is stiffest. */
+    /** Adds a point, which names @p slave_nodes and @p master_nodes here, of a contact with the
+     * law, penalty and damping of the @p interaction where it is stiffest. */
     void add(const TouchingPoint               &point,
              const std::array<unsigned int, 4> &slave_nodes,
              const std::array<unsigned int, 4> &master_nodes,
-             const ContactLaw                  &law,
-             double                             penalty,
-             double                             damping);
+             const SurfaceInteraction          &interaction);
 
     /**
      * Fills in gap rate, pressures and energy of the points, in the order in which they were added,

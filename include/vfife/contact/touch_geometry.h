@@ -23,16 +23,17 @@ namespace vfife
   /** Directions along the master's facet at a point, and what a tangential force there needs. */
   struct TangentBasis
   {
+    Vector3               normal;              ///< unit normal at the foot
     Vector3               dual_xi, dual_eta;   ///< gradients of xi and eta [1/mm]
     double                slope_xi, slope_eta; ///< of the gap, as the point slides: -dg/dxi [mm]
     double                distance;            ///< of slave and master point along the normal [mm]
     std::array<double, 4> shape_xi, shape_eta; ///< derivatives of the bilinear weights
 
-    /** At the slave's point @p x with its foot @p p and the unit @p normal there. */
+    /** At the slave's point @p x with its foot @p p and the @p unit_normal there. */
     TangentBasis(SurfaceGeometry  &master,
                  const Projection &p,
                  const Vector3    &x,
-                 const Vector3    &normal);
+                 const Vector3    &unit_normal);
 
     /** What balances the moment of a tangential @p force on the slave: a force along the normal on
      * the master's corner @p k. */

@@ -70,7 +70,7 @@ namespace vfife
     , slave(pair.slave_body, model.bodies[pair.slave_body], pair.slave_surface, partition)
     , master(pair.master_body, model.bodies[pair.master_body], pair.master_surface, partition)
     , contact(*slave.facets, *master.facets, pair.options)
-    , mass_per_area(contact.mass_per_area(slave.mass, master.mass))
+    , mass_per_area(contact.node_springs().mass_per_area(slave.mass, master.mass))
     , safety_(safety)
     , penalty_(pair.options.penalty)
   {
@@ -89,7 +89,7 @@ namespace vfife
       contact.set_stiffness(pair.stiffness);
     contact.place(model.bodies[pair.slave_body].placement,
                   model.bodies[pair.master_body].placement);
-    carried_mass_per_area = contact.carried_mass_per_area(slave.mass, master.mass);
+    carried_mass_per_area = contact.node_springs().carried_mass_per_area(slave.mass, master.mass);
     // Which nodes are active changes with each search of the contact.
     slave.active  = &contact.active_slave_nodes();
     master.active = &contact.active_master_nodes();
@@ -108,12 +108,12 @@ namespace vfife
 
   double ContactOfPair::rattling(const double dt) const
   {
-    const auto stiffness = contact.node_stiffness();
-    double     most      = 0;
+    const NodeSprings springs   = contact.node_springs();
+    const auto        stiffness = springs.stiffness();
+    double            most      = 0;
     for (const ContactSurface *surface : {&slave, &master})
       {
-        const auto &areas =
-          surface == &slave ? contact.slave_node_areas() : contact.master_node_areas();
+        const auto &areas = surface == &slave ? springs.slave_areas() : springs.master_areas();
         const std::vector<double> &of_nodes = stiffness[surface == &slave ? 0 : 1];
         for (std::size_t i = 0; i < areas.size(); ++i)
           if (areas[i] > 0)

@@ -205,17 +205,19 @@ namespace vfife
                                             std::vector<double> &masses) const
   {
     for (const auto &pair : pairs_)
-      for (const ContactSurface *surface : pair->surfaces())
-        {
-          // A node on a spring k = eps C gets k/(2 phi^2) more mass, phi the fraction, C the area
-          // of points that it may carry, whether it touches or not: masses stay as they are when
-          // contact opens and closes.
-          const auto areas = surface == &pair->slave ? pair->contact.slave_carried_areas()
-                                                     : pair->contact.master_carried_areas();
-          for (std::size_t i = 0; i < surface->local.size(); ++i)
-            if (surface->local[i] != Partition::absent)
-              masses[surface->local[i]] +=
-                pair->penalty().relaxation_mass(pair->contact.penalty() * areas[i], fraction);
-        }
+      {
+        // A node on a spring k = eps C gets k/(2 phi^2) more mass, phi the fraction, C the area of
+        // points that it may carry, whether it touches or not: masses stay as they are when contact
+        // opens and closes.
+        const auto carried = pair->contact.node_springs().carried_areas();
+        for (const ContactSurface *surface : pair->surfaces())
+          {
+            const std::vector<double> &areas = carried[surface == &pair->slave ? 0 : 1];
+            for (std::size_t i = 0; i < surface->local.size(); ++i)
+              if (surface->local[i] != Partition::absent)
+                masses[surface->local[i]] +=
+                  pair->penalty().relaxation_mass(pair->contact.penalty() * areas[i], fraction);
+          }
+      }
   }
 } // namespace vfife

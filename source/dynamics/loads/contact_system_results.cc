@@ -191,8 +191,10 @@ namespace vfife
         if (contact.coarseness() < clearly_coarser)
           continue;
         // How much more than its own area a node of the master must reckon with.
-        double      most = 1;
-        const auto &own = contact.master_node_areas(), carried = contact.master_carried_areas();
+        double                     most    = 1;
+        const NodeSprings          springs = contact.node_springs();
+        const std::vector<double> &own     = springs.master_areas();
+        const std::vector<double>  carried = springs.carried_areas()[1];
         for (std::size_t i = 0; i < own.size(); ++i)
           if (own[i] > 0)
             most = std::max(most, carried[i] / own[i]);

@@ -289,12 +289,7 @@ namespace vfife
     for (std::size_t p = 0; p < shared.size(); ++p)
       {
         const Contact &contact = pairs_[shared[p]->pair]->contact;
-        solver.add(shared[p]->point,
-                   slave_places[p],
-                   master_places[p],
-                   contact.law(),
-                   contact.penalty(),
-                   contact.damping(dt));
+        solver.add(shared[p]->point, slave_places[p], master_places[p], contact.interaction(dt));
         solved.push_back(shared[p]->point);
       }
     solver.solve(solved);

@@ -286,7 +286,7 @@ namespace vfife
         for (std::size_t i = first; i < last; ++i)
           {
             const Wall &wall = walls_[places_[i].wall];
-            solver_.add(points_[i - first], {}, {}, *wall.law, wall.penalty, wall.damping());
+            solver_.add(points_[i - first], {}, {}, {*wall.law, wall.penalty, wall.damping()});
           }
         solver_.solve(points_);
       }

@@ -40,7 +40,7 @@ namespace vfife
     if (!node.sticks)
       node.anchor = x - way;
     node.sticks = true;
-    // As between two bodies (ContactPass::stick), pressures being forces here.
+    // As between two bodies (StickSlip::stick), pressures being forces here.
     const FrictionLaw &law          = *wall.friction_law;
     const Vector3     &n            = wall.definition->normal;
     const Vector3      stretch      = x - node.anchor;

@@ -50,7 +50,7 @@ namespace vfife
       , contact(slave.facets, master.facets, pair.options)
     {
       contact.set_penalty(pair.options.penalty.value,
-                          contact.mass_per_area(slave.mass, master.mass));
+                          contact.node_springs().mass_per_area(slave.mass, master.mass));
       if (!pair.stiffness.empty())
         contact.set_stiffness(pair.stiffness);
       // Newton's method is one of springs along the normals.
