@@ -241,9 +241,6 @@ namespace vfife
         reduced_.spin.resize(rows_.size());
         for (std::size_t i = 0; i < rows_.size(); ++i)
           reduced_.spin[i] = read_row(rows_[i], sector_.spin());
-        for (std::size_t i = 0; i < reduced_.readings.size(); ++i)
-          if (reduced_.readings[i].offset)
-            reduced_.spin[3 * reduced_.touch_nodes.size() + i] = *reduced_.readings[i].offset;
       }
 
       /** Collective. */

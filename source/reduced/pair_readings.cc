@@ -37,7 +37,7 @@ namespace vfife
     SectorReading
     make_turn(const Body &body, const std::string &name, const std::vector<unsigned int> &nodes)
     {
-      SectorReading reading{name, {}, {}};
+      SectorReading reading{name, {}};
       double        mass = 0;
       for (const unsigned int node : nodes)
         mass += body.node_masses()[node];
@@ -65,8 +65,8 @@ namespace vfife
       for (unsigned int c = 0; c < 3; ++c)
         for (unsigned int n = 0; n <= largest; ++n)
           {
-            SectorReading real{reading::of_rim(c, n, false), {}, {}},
-              imaginary{reading::of_rim(c, n, true), {}, {}};
+            SectorReading real{reading::of_rim(c, n, false), {}},
+              imaginary{reading::of_rim(c, n, true), {}};
             for (const unsigned int node : rim)
               if (body.structure().sector_of(node) == 0)
                 {
@@ -90,7 +90,7 @@ namespace vfife
                    std::vector<SectorReading> &readings)
     {
       for (unsigned int c = 0; c < 3; ++c)
-        readings.push_back({reading::of_probe(probe, c), {{node, Vector3::Unit(c)}}, {}});
+        readings.push_back({reading::of_probe(probe, c), {{node, Vector3::Unit(c)}}});
 
       // The mean over the elements at the node. Stresses are linear in displacements.
       const unsigned int     n         = space.points_per_element();
@@ -122,7 +122,7 @@ namespace vfife
         }
       for (unsigned int s = 0; s < 6; ++s)
         {
-          SectorReading stress{reading::of_probe(probe, 3 + s), {}, {}};
+          SectorReading stress{reading::of_probe(probe, 3 + s), {}};
           for (const auto &[point, derivative] : derivatives)
             stress.weights.emplace_back(point, derivative.row(s).transpose() / n_elements);
           readings.push_back(std::move(stress));

@@ -143,11 +143,7 @@ namespace vfife
                 body.cutoff,
                 body.touch_nodes);
     pass_all(body.readings, stream, [&](SectorReading &reading) {
-      bool   has_offset = reading.offset.has_value();
-      double offset     = reading.offset.value_or(0.);
-      stream.pass(reading.name, reading.weights, has_offset, offset);
-      if (has_offset)
-        reading.offset = offset;
+      stream.pass(reading.name, reading.weights);
     });
     pass_all(body.harmonics, stream, [&](ReducedBody::Harmonic &harmonic) {
       serialize(harmonic, stream);

@@ -5,7 +5,6 @@
 #include <vfife/base/types.h>
 
 #include <array>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,8 +29,6 @@ namespace vfife
      * where the elements of a border take part), then points between them as FemSpace numbers
      * them, with what multiplies their displacements: in axes of the body frame. */
     std::vector<std::pair<unsigned int, Vector3>> weights;
-    /** Value in the state of spin, where it is not that of the weights, as of a stress. */
-    std::optional<double> offset;
   };
 
   /**
@@ -136,7 +133,7 @@ namespace vfife
     /** The same under the Euler force of a unit angular acceleration [mm s^2]. */
     Eigen::VectorXd euler_residual;
     /** Rows in the state of spin: what the weights read of it (a hub that turns freely: without its
-     * turn), or SectorReading::offset. */
+     * turn). */
     Eigen::VectorXd spin;
 
     /** The hub turns freely: the rigid turn of the spun body by a small angle theta [rad] about

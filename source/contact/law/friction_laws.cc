@@ -33,6 +33,11 @@ namespace vfife
         return coefficient_ * pressure;
       }
 
+      bool depends_on_speed() const override
+      {
+        return false;
+      }
+
     private:
       double coefficient_;
     };

@@ -61,7 +61,7 @@ namespace vfife
       const unsigned int n = derivatives.begin()->second.rows();
       for (unsigned int k = 0; k < n; ++k)
         {
-          SectorReading reading{k == 0 ? name : name + " component " + std::to_string(k), {}, {}};
+          SectorReading reading{k == 0 ? name : name + " component " + std::to_string(k), {}};
           for (const auto &[node, derivative] : derivatives)
             if (!derivative.row(k).isZero(0.))
               reading.weights.emplace_back(node, derivative.row(k).transpose());
@@ -141,7 +141,7 @@ namespace vfife
         const Eigen::MatrixXd           &weights = submodels[k].of_displacements();
         for (Eigen::Index row = 0; row < weights.rows(); ++row)
           {
-            readings.push_back({name_of_submodel_reading(k, row), {}, {}});
+            readings.push_back({name_of_submodel_reading(k, row), {}});
             for (std::size_t i = 0; i < nodes.size(); ++i)
               readings.back().weights.emplace_back(nodes[i],
                                                    weights.block<1, 3>(row, 3 * i).transpose());

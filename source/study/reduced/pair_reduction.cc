@@ -29,7 +29,7 @@ namespace vfife
 {
   namespace
   {
-    const SealedFile seal    = {"vfife-reduction", "reduced body", 2};
+    const SealedFile seal    = {"vfife-reduction", "reduced body", 3};
     const char       entry[] = "Reduced/store";
 
     /** "Pinion" is kept in pinion.reduction. */

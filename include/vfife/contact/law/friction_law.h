@@ -26,17 +26,14 @@ namespace vfife
     /** Limit of the tangential traction [MPa] at the pressure [MPa] and the slip speed [mm/s]. */
     virtual double limit(double pressure, double speed) const = 0;
 
-    /** Whether any pressure holds surfaces at rest. */
+    /** Whether any pressure holds surfaces, at rest or at some speed. */
     bool acts() const
     {
-      return limit(1., 0.) > 0.;
+      return limit(1., 0.) > 0. || (depends_on_speed() && limit(1., 1.) > 0.);
     }
 
     /** Whether limit() needs the speed; callers pass 0 otherwise. */
-    virtual bool depends_on_speed() const
-    {
-      return false;
-    }
+    virtual bool depends_on_speed() const = 0;
   };
 
   using MakeFrictionLaw = std::unique_ptr<const FrictionLaw> (*)(const FrictionNumbers &numbers);

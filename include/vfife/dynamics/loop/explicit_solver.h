@@ -153,12 +153,6 @@ namespace vfife
       return contact_impulse_;
     }
 
-    /** The rigid motion of each body that follows from its momentum. */
-    std::vector<RigidVelocity> compute_rigid_rates(const State &state) const
-    {
-      return motions_.compute_rates(state);
-    }
-
     /** Steps between broad searches of the contact. */
     static constexpr unsigned int search_interval = 40;
 
