@@ -1,5 +1,4 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/study/conventional/loaded_contact_study.h>
 #include <vfife/study/reduced/reduced_study.h>
 #include <vfife/study/run/run_study.h>
 #include <vfife/study/study_kinds.h>

@@ -8,6 +8,7 @@
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/fem/modes/modal_solver.h>
 #include <vfife/fem/modes/mode_description.h>
+#include <vfife/fem/system/rigid_motions.h>
 #include <vfife/mesh/primitives/primitives.h>
 
 #include <algorithm>

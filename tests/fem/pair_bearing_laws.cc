@@ -7,6 +7,7 @@
 #include "pair_in_bearings.h"
 
 #include <vfife/bearing/rolling_bearing.h>
+#include <vfife/fem/system/rigid_motions.h>
 #include <vfife/mesh/primitives/primitives.h>
 #include <vfife/output/measures/bearing_columns.h>
 #include <vfife/study/conventional/loaded_contact_tables.h>

@@ -54,6 +54,13 @@ namespace vfife
   std::unique_ptr<StudyKind> make_linear_static_study();
 
   /**
+   * Study kind `loaded tooth contact analysis`: static equilibrium of the loaded pair by
+   * conventional finite elements at positions over one mesh cycle, with the penalties of a run of
+   * the same file.
+   */
+  std::unique_ptr<StudyKind> make_loaded_contact_study();
+
+  /**
    * Study kind `lumped`: a gear pair of few degrees of freedom (doc/theory/lumped.md), by values or
    * with inertias and geometry of a section Gear pair; writes lumped.csv, resonance.csv,
    * lumped.json.

@@ -2,6 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/fem/cyclic/cyclic_body.h>
 #include <vfife/fem/system/load_forces.h>
+#include <vfife/fem/system/rigid_motions.h>
 #include <vfife/fem/system/turn_pins.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>

@@ -5,6 +5,7 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/fem/distributed/distributed_modes.h>
 #include <vfife/fem/solvers/eigen_solver.h>
+#include <vfife/fem/system/rigid_motions.h>
 
 #include <Eigen/Cholesky>
 

@@ -5,6 +5,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/fem/distributed/distributed_statics.h>
+#include <vfife/fem/system/rigid_motions.h>
 #include <vfife/model/constraints/supports.h>
 
 #include <deal.II/lac/solver_cg.h>

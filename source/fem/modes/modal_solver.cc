@@ -5,6 +5,7 @@
 #include <vfife/fem/modes/modal_solver.h>
 #include <vfife/fem/solvers/direct_solver.h>
 #include <vfife/fem/solvers/eigen_solver.h>
+#include <vfife/fem/system/rigid_motions.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,7 @@
 #include <vfife/fem/modes/gyroscopic_modes.h>
 #include <vfife/fem/modes/rotating_body.h>
 #include <vfife/fem/solvers/direct_solver.h>
+#include <vfife/fem/system/rigid_motions.h>
 #include <vfife/fem/system/spin_state.h>
 #include <vfife/fem/system/turn_pins.h>
 #include <vfife/mesh/body_mesh.h>

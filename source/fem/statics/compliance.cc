@@ -5,6 +5,7 @@
 #include <vfife/fem/statics/compliance.h>
 #include <vfife/fem/system/fem_constraints.h>
 #include <vfife/fem/system/load_forces.h>
+#include <vfife/fem/system/rigid_motions.h>
 #include <vfife/fem/system/spin_state.h>
 #include <vfife/fem/system/turn_pins.h>
 

@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/fem/system/bearing_rings.h>
-#include <vfife/fem/system/fem_constraints.h>
+#include <vfife/fem/system/rigid_motions.h>
 #include <vfife/model/constraints/held_direction.h>
 
 #include <Eigen/Eigenvalues>

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/fem/system/load_forces.h>
+#include <vfife/fem/system/rigid_motions.h>
 #include <vfife/fem/system/system_matrices.h>
 
 #include <algorithm>

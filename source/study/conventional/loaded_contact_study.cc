@@ -23,7 +23,7 @@
 #include <vfife/output/pictures.h>
 #include <vfife/study/cases/case_kinds.h>
 #include <vfife/study/cases/pair_case.h>
-#include <vfife/study/conventional/loaded_contact_study.h>
+#include <vfife/study/conventional/loaded_contact_options.h>
 #include <vfife/study/conventional/loaded_contact_tables.h>
 #include <vfife/study/conventional/loaded_fields.h>
 #include <vfife/study/conventional/loaded_fillets.h>
@@ -35,6 +35,7 @@
 #include <vfife/study/pressure/calibrated_penalty.h>
 #include <vfife/study/pressure/pressure_depth.h>
 #include <vfife/study/start_summary.h>
+#include <vfife/study/study_kinds.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -6,7 +6,7 @@
 #include <vfife/study/waves/driven_lines.h>
 #include <vfife/study/waves/driven_wave.h>
 #include <vfife/study/waves/line_theory.h>
-#include <vfife/study/waves/wave_line.h>
+#include <vfife/study/waves/wave_line_tables.h>
 #include <vfife/study/waves/waves_options.h>
 
 namespace vfife

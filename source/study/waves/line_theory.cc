@@ -5,7 +5,7 @@
 #include <vfife/reduced/resonance/linear_response.h>
 #include <vfife/study/waves/driven_wave.h>
 #include <vfife/study/waves/line_theory.h>
-#include <vfife/study/waves/wave_line.h>
+#include <vfife/study/waves/wave_line_tables.h>
 #include <vfife/study/waves/waves_options.h>
 
 #include <algorithm>

@@ -1,10 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// Tables of WaveLine, and what logs say of it.
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/base/types.h>
 #include <vfife/output/files/result_places.h>
-#include <vfife/study/waves/wave_line.h>
+#include <vfife/study/waves/wave_line_tables.h>
 
 #include <algorithm>
 #include <cmath>

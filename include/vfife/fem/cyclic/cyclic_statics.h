@@ -2,11 +2,10 @@
 #ifndef vfife_fem_cyclic_cyclic_statics_h
 #define vfife_fem_cyclic_cyclic_statics_h
 
+#include <vfife/fem/cyclic/border_harmonics.h>
 #include <vfife/fem/cyclic/cyclic_body.h>
-#include <vfife/fem/cyclic/roots_of_unity.h>
 #include <vfife/fem/modes/sector_copies.h>
 #include <vfife/fem/solvers/condensation.h>
-#include <vfife/fem/solvers/hermitian_factor.h>
 
 #include <map>
 #include <memory>
@@ -65,23 +64,13 @@ namespace vfife
     double memory() const;
 
   private:
-    struct Harmonic
-    {
-      unsigned int    number;
-      HermitianFactor factor;
-    };
     void find_hub(const Model &model, unsigned int body);
     /** Puts the displacements of the sector's points @p u into those of sector @p k. */
     void add_sector(unsigned int k, const std::vector<double> &u, std::vector<double> &all) const;
     std::vector<unsigned int> find_border() const;
     void                      factorize();
-    Eigen::MatrixXcd          harmonic_matrix(unsigned int number) const;
-    /** Of the harmonic's real part in a sum over all of them. */
-    double weight(unsigned int harmonic) const;
-    /** Displacements of both borders of all sectors (a column each) under loads on them. */
-    Eigen::MatrixXd solve_borders(const Eigen::MatrixXd &loads) const;
-    Matrix3         turned(unsigned int sector) const;
-    /** Part of border 0 in the turn of the body, whose stiffness is added to h = 0. */
+    Matrix3                   turned(unsigned int sector) const;
+    /** Part of border 0 in the turn of the body. */
     Eigen::VectorXd turn_of_border() const;
     void            find_pin();
     /** The two columns of pin_fields_ by which a point moves, a row per direction. */
@@ -91,20 +80,18 @@ namespace vfife
     std::vector<double> expand(const Eigen::MatrixXd &x) const;
     Eigen::MatrixXd     solve_sectors(Eigen::MatrixXd x) const;
 
-    CyclicBody                    body_;
-    RootsOfUnity                  phase_;
-    SectorCopies                  copies_;
-    const Communicator           &communicator_;
-    HubRotation                   hub_ = HubRotation::pinned; ///< of the sector's unknowns
-    std::unique_ptr<FemSystem>    sector_; ///< open: its images are points of their own
-    std::unique_ptr<Condensation> condensed_;
-    unsigned int                  n_border_ = 0; ///< unknowns of one border
-    std::vector<Harmonic>         harmonics_;    ///< of this rank
+    CyclicBody                       body_;
+    SectorCopies                     copies_;
+    const Communicator              &communicator_;
+    HubRotation                      hub_ = HubRotation::pinned; ///< of the sector's unknowns
+    std::unique_ptr<FemSystem>       sector_; ///< open: its images are points of their own
+    std::unique_ptr<Condensation>    condensed_;
+    std::unique_ptr<BorderHarmonics> borders_;
 
     // Of a hub whose points turn by themselves:
-    bool            pinned_         = false;
-    unsigned int    pin_            = 0;                       ///< point
-    double          turn_stiffness_ = 0;                       ///< added to h = 0
+    bool            pinned_ = false;
+    unsigned int    pin_    = 0; ///< point
+    TurnOfBorders   turn_;
     Eigen::MatrixXd pin_fields_;                               ///< of all points, two columns
     Eigen::Matrix2d pin_compliance_ = Eigen::Matrix2d::Zero(); ///< that the pin takes away
 

@@ -1,11 +1,13 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_study_conventional_loaded_contact_study_h
-#define vfife_study_conventional_loaded_contact_study_h
+#ifndef vfife_study_conventional_loaded_contact_options_h
+#define vfife_study_conventional_loaded_contact_options_h
 
 #include <vfife/base/parameters/number_or_word.h>
-#include <vfife/study/study_kind.h>
 
-#include <memory>
+namespace dealii
+{
+  class ParameterHandler;
+}
 
 namespace vfife
 {
@@ -22,13 +24,6 @@ namespace vfife
 
     void declare(dealii::ParameterHandler &prm);
   };
-
-  /**
-   * Study kind `loaded tooth contact analysis`: static equilibrium of the loaded pair by
-   * conventional finite elements at positions over one mesh cycle, with the penalties of a run of
-   * the same file.
-   */
-  std::unique_ptr<StudyKind> make_loaded_contact_study();
 } // namespace vfife
 
 #endif

@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// Entries of the section Loaded contact.
 #include <vfife/base/parameters/parameters.h>
-#include <vfife/study/conventional/loaded_contact_study.h>
+#include <vfife/study/conventional/loaded_contact_options.h>
 
 namespace vfife
 {
