@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Time of the contact per step and point; not a test, but the build target contact_benchmark.
+#include "../tests.h"
 #include "surfaces.h"
 
 #include <ctime>
@@ -50,8 +51,6 @@ namespace
           contact.add_forces({positions[i].data(), slave.velocities.data(), bodies[i]},
                              master.motion(),
                              5e-8,
-                             0,
-                             1,
                              slave.forces.data(),
                              master.forces.data());
         best = std::min(best, 1e9 / CLOCKS_PER_SEC * (std::clock() - start) / steps);
