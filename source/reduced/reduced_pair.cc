@@ -3,6 +3,7 @@
 
 #include <vfife/base/errors.h>
 #include <vfife/base/text/byte_stream.h>
+#include <vfife/fem/pair/pressed_balance.h>
 #include <vfife/model/model.h>
 #include <vfife/model/pair_measures.h>
 #include <vfife/model/state.h>
@@ -129,7 +130,7 @@ namespace vfife
     try
       {
         now_.acting = pair_.evaluate(*answers_, base + now_.deflection, now_.turn, true);
-        n_iterations_ += pair_.balance(*answers_, base, load, tolerance_, now_);
+        n_iterations_ += PressedBalance(pair_, *answers_, base, load).find(tolerance_, now_);
       }
     catch (const StrayContact &)
       {
@@ -243,12 +244,13 @@ namespace vfife
     PairAnswers answers(members_, rows_, bearings_, pointers);
 
     bearings_.begin_step(0.);
-    const VectorXd base  = rows_.displace(standing_coordinates());
-    now_                 = pair_.press_rigid(answers, base, load(), settle(answers, base));
-    now_.unit            = std::abs(load()) / model_.only_transmission()->arm;
-    now_.patience        = start_patience;
-    const unsigned int n = pair_.balance(answers, base, TurnLoad{load()}, start_tolerance, now_);
-    ReducedEquilibrium found = find_slope(answers, base + now_.deflection);
+    const VectorXd base = rows_.displace(standing_coordinates());
+    now_                = pair_.press_rigid(answers, base, load(), settle(answers, base));
+    now_.unit           = std::abs(load()) / model_.only_transmission()->arm;
+    now_.patience       = start_patience;
+    PressedBalance     equilibrium(pair_, answers, base, TurnLoad{load()});
+    const unsigned int n     = equilibrium.find(start_tolerance, now_);
+    ReducedEquilibrium found = find_slope(equilibrium);
     found.turn               = now_.turn;
     found.iterations         = n;
 
@@ -310,7 +312,7 @@ namespace vfife
     now.touching = false;
     now.unit     = std::abs(load()) / model_.only_transmission()->arm;
     now.acting   = pair_.evaluate(answers, base, 0., false);
-    pair_.balance(answers, base, TurnLoad{}, tolerance_, now);
+    PressedBalance(pair_, answers, base, TurnLoad{}).find(tolerance_, now);
     return now;
   }
 
@@ -338,10 +340,10 @@ namespace vfife
     bearings_.end_step(displacements_);
   }
 
-  ReducedEquilibrium ReducedPair::find_slope(PairAnswers &answers, const VectorXd &u)
+  ReducedEquilibrium ReducedPair::find_slope(PressedBalance &equilibrium) const
   {
     // Per unit of the torque: the bodies twist further, and the springs answer.
-    VectorXd                            twist(u.size());
+    VectorXd                            twist(rows_.size());
     std::vector<std::vector<VectorXcd>> changes;
     for (const auto &one : members_)
       {
@@ -353,7 +355,7 @@ namespace vfife
           twist[member.places[i]] = own[i];
         changes.push_back(std::move(modes));
       }
-    const auto [force, turn] = pair_.find_slope(answers, u, TurnLoad{load()}, twist, 1.);
+    const auto [force, turn] = equilibrium.find_slope(now_, twist, 1.);
 
     ReducedEquilibrium  slope;
     const Transmission &t     = *model_.only_transmission();

@@ -18,6 +18,7 @@
 namespace vfife
 {
   class ByteStream;
+  class PressedBalance;
   struct Model;
   struct Probe;
   struct State;
@@ -166,7 +167,7 @@ namespace vfife
     void set_bearings();
     /** What the present contact does to the modes and the turn of each body. */
     std::vector<ModalForces> project() const;
-    ReducedEquilibrium       find_slope(PairAnswers &answers, const Eigen::VectorXd &u);
+    ReducedEquilibrium       find_slope(PressedBalance &equilibrium) const;
     void                     measure_angles(Measurements &measured) const;
     void                     measure_contact(State &state) const;
     double                   measure_drive_torque() const;
