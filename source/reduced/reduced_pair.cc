@@ -58,6 +58,7 @@ namespace vfife
     , rows_(model, members_, pair_, drive_)
     , bearings_(model, bodies, pair_)
     , energy_(model, members_, drive_, bearings_, now_)
+    , reader_(model, members_, pair_, rows_, now_)
   {
     std::vector<const TouchRows *> rows;
     for (unsigned int b = 0; b < bodies.size(); ++b)
@@ -379,5 +380,76 @@ namespace vfife
     slope.stiffness  = std::abs(1. / hub);
     slope.inertia    = twice / (hub * hub);
     return slope;
+  }
+
+  void ReducedPair::measure_angles(Measurements &measured) const
+  {
+    const Transmission &t    = *model_.only_transmission();
+    const auto          read = [&](const unsigned int b, const char *const reading) {
+      return members_[b]->read_turn(reading, members_[b]->part_of(now_.force));
+    };
+    measured.driver_angle =
+      t.driver_bore.empty() ? 0. : t.driver_sense * read(t.driver, reading::bore_turn);
+    measured.driven_angle = t.driven_sense * read(t.driven, reading::bore_turn);
+    measured.rim_angle    = t.driven_sense * read(t.driven, reading::rim_turn);
+    complete_angles(t, drive_.turn, measured);
+  }
+
+  void ReducedPair::measure_contact(State &state) const
+  {
+    Measurements &m = state.measured;
+    set_teeth(pair_.teeth(), model_.contacts.size(), m);
+    if (state.contact_force.empty())
+      return;
+    state.contact_force.set_zero();
+    for (std::size_t i = 0; i < rows_.nodes().size(); ++i)
+      {
+        const auto &[b, node] = rows_.nodes()[i];
+        state.contact_force.set(model_.bodies[b].first_node + node,
+                                pair_.to_fixed_frame(i, now_.force.segment<3>(3 * i)));
+      }
+  }
+
+  void ReducedPair::add_contact_impulse()
+  {
+    Measurements measured;
+    set_teeth(pair_.teeth(), model_.contacts.size(), measured);
+    contact_impulse_.add(time_step(), measured.contact_force, measured.contact_torque);
+  }
+
+  double ReducedPair::measure_drive_torque() const
+  {
+    const PairMember &driver = *members_[model_.only_transmission()->driver];
+    double torque = driver.inertia * driver.axial.acceleration - now_.acting.driver_torque;
+    if (!driver.in_bearings())
+      return torque;
+    // What turns the shaft's end.
+    torque = 0;
+    for (const Coupling &coupling : model_.couplings)
+      if (coupling.body == model_.only_transmission()->driver)
+        {
+          const auto [way, rate] = driver.twist(coupling, driver.part_of(now_.force));
+          torque -= coupling.stiffness * way + coupling.damping * rate;
+        }
+    return torque;
+  }
+
+  void ReducedPair::measure(State &state)
+  {
+    state.time = drive_.time;
+    state.step = drive_.n_steps;
+    state.dt   = time_step();
+    measure_angles(state.measured);
+    measure_contact(state);
+    energy_.measure();
+    state.measured.energy       = energy_.ledger;
+    state.measured.bearings     = bearings_.measure(drive_.n_steps > 0);
+    state.measured.drive_torque = measure_drive_torque();
+    state.measured.rate_factor  = drive_.rate_factor();
+    state.measured.body_rates.clear();
+    for (const auto &member : members_)
+      state.measured.body_rates.push_back(member->rate + member->motion.turn_rate() +
+                                          member->modal_rate());
+    state.measured.probes = reader_.read_probes(model_.probes);
   }
 } // namespace vfife
