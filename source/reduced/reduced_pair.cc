@@ -3,6 +3,7 @@
 
 #include <vfife/base/errors.h>
 #include <vfife/base/text/byte_stream.h>
+#include <vfife/fem/pair/pressed_balance.h>
 #include <vfife/model/model.h>
 #include <vfife/model/pair_measures.h>
 #include <vfife/model/state.h>
@@ -57,6 +58,7 @@ namespace vfife
     , rows_(model, members_, pair_, drive_)
     , bearings_(model, bodies, pair_)
     , energy_(model, members_, drive_, bearings_, now_)
+    , reader_(model, members_, pair_, rows_, now_)
   {
     std::vector<const TouchRows *> rows;
     for (unsigned int b = 0; b < bodies.size(); ++b)
@@ -129,7 +131,7 @@ namespace vfife
     try
       {
         now_.acting = pair_.evaluate(*answers_, base + now_.deflection, now_.turn, true);
-        n_iterations_ += pair_.balance(*answers_, base, load, tolerance_, now_);
+        n_iterations_ += PressedBalance(pair_, *answers_, base, load).find(tolerance_, now_);
       }
     catch (const StrayContact &)
       {
@@ -243,12 +245,13 @@ namespace vfife
     PairAnswers answers(members_, rows_, bearings_, pointers);
 
     bearings_.begin_step(0.);
-    const VectorXd base  = rows_.displace(standing_coordinates());
-    now_                 = pair_.press_rigid(answers, base, load(), settle(answers, base));
-    now_.unit            = std::abs(load()) / model_.only_transmission()->arm;
-    now_.patience        = start_patience;
-    const unsigned int n = pair_.balance(answers, base, TurnLoad{load()}, start_tolerance, now_);
-    ReducedEquilibrium found = find_slope(answers, base + now_.deflection);
+    const VectorXd base = rows_.displace(standing_coordinates());
+    now_                = pair_.press_rigid(answers, base, load(), settle(answers, base));
+    now_.unit           = std::abs(load()) / model_.only_transmission()->arm;
+    now_.patience       = start_patience;
+    PressedBalance     equilibrium(pair_, answers, base, TurnLoad{load()});
+    const unsigned int n     = equilibrium.find(start_tolerance, now_);
+    ReducedEquilibrium found = find_slope(equilibrium);
     found.turn               = now_.turn;
     found.iterations         = n;
 
@@ -310,7 +313,7 @@ namespace vfife
     now.touching = false;
     now.unit     = std::abs(load()) / model_.only_transmission()->arm;
     now.acting   = pair_.evaluate(answers, base, 0., false);
-    pair_.balance(answers, base, TurnLoad{}, tolerance_, now);
+    PressedBalance(pair_, answers, base, TurnLoad{}).find(tolerance_, now);
     return now;
   }
 
@@ -338,10 +341,10 @@ namespace vfife
     bearings_.end_step(displacements_);
   }
 
-  ReducedEquilibrium ReducedPair::find_slope(PairAnswers &answers, const VectorXd &u)
+  ReducedEquilibrium ReducedPair::find_slope(PressedBalance &equilibrium) const
   {
     // Per unit of the torque: the bodies twist further, and the springs answer.
-    VectorXd                            twist(u.size());
+    VectorXd                            twist(rows_.size());
     std::vector<std::vector<VectorXcd>> changes;
     for (const auto &one : members_)
       {
@@ -353,7 +356,7 @@ namespace vfife
           twist[member.places[i]] = own[i];
         changes.push_back(std::move(modes));
       }
-    const auto [force, turn] = pair_.find_slope(answers, u, TurnLoad{load()}, twist, 1.);
+    const auto [force, turn] = equilibrium.find_slope(now_, twist, 1.);
 
     ReducedEquilibrium  slope;
     const Transmission &t     = *model_.only_transmission();
@@ -377,5 +380,76 @@ namespace vfife
     slope.stiffness  = std::abs(1. / hub);
     slope.inertia    = twice / (hub * hub);
     return slope;
+  }
+
+  void ReducedPair::measure_angles(Measurements &measured) const
+  {
+    const Transmission &t    = *model_.only_transmission();
+    const auto          read = [&](const unsigned int b, const char *const reading) {
+      return members_[b]->read_turn(reading, members_[b]->part_of(now_.force));
+    };
+    measured.driver_angle =
+      t.driver_bore.empty() ? 0. : t.driver_sense * read(t.driver, reading::bore_turn);
+    measured.driven_angle = t.driven_sense * read(t.driven, reading::bore_turn);
+    measured.rim_angle    = t.driven_sense * read(t.driven, reading::rim_turn);
+    complete_angles(t, drive_.turn, measured);
+  }
+
+  void ReducedPair::measure_contact(State &state) const
+  {
+    Measurements &m = state.measured;
+    set_teeth(pair_.teeth(), model_.contacts.size(), m);
+    if (state.contact_force.empty())
+      return;
+    state.contact_force.set_zero();
+    for (std::size_t i = 0; i < rows_.nodes().size(); ++i)
+      {
+        const auto &[b, node] = rows_.nodes()[i];
+        state.contact_force.set(model_.bodies[b].first_node + node,
+                                pair_.to_fixed_frame(i, now_.force.segment<3>(3 * i)));
+      }
+  }
+
+  void ReducedPair::add_contact_impulse()
+  {
+    Measurements measured;
+    set_teeth(pair_.teeth(), model_.contacts.size(), measured);
+    contact_impulse_.add(time_step(), measured.contact_force, measured.contact_torque);
+  }
+
+  double ReducedPair::measure_drive_torque() const
+  {
+    const PairMember &driver = *members_[model_.only_transmission()->driver];
+    double torque = driver.inertia * driver.axial.acceleration - now_.acting.driver_torque;
+    if (!driver.in_bearings())
+      return torque;
+    // What turns the shaft's end.
+    torque = 0;
+    for (const Coupling &coupling : model_.couplings)
+      if (coupling.body == model_.only_transmission()->driver)
+        {
+          const auto [way, rate] = driver.twist(coupling, driver.part_of(now_.force));
+          torque -= coupling.stiffness * way + coupling.damping * rate;
+        }
+    return torque;
+  }
+
+  void ReducedPair::measure(State &state)
+  {
+    state.time = drive_.time;
+    state.step = drive_.n_steps;
+    state.dt   = time_step();
+    measure_angles(state.measured);
+    measure_contact(state);
+    energy_.measure();
+    state.measured.energy       = energy_.ledger;
+    state.measured.bearings     = bearings_.measure(drive_.n_steps > 0);
+    state.measured.drive_torque = measure_drive_torque();
+    state.measured.rate_factor  = drive_.rate_factor();
+    state.measured.body_rates.clear();
+    for (const auto &member : members_)
+      state.measured.body_rates.push_back(member->rate + member->motion.turn_rate() +
+                                          member->modal_rate());
+    state.measured.probes = reader_.read_probes(model_.probes);
   }
 } // namespace vfife

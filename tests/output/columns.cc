@@ -56,7 +56,7 @@
 #include <vfife/study/reduced/pair_speed_sweep.h>
 #include <vfife/study/reduced/speed_ranges.h>
 #include <vfife/study/stress_waves/stress_wave_writers.h>
-#include <vfife/study/sweep/sweep_study.h>
+#include <vfife/study/sweep/sweep_tables.h>
 #include <vfife/study/waves/wave_line_tables.h>
 
 #include <nlohmann/json.hpp>

@@ -64,8 +64,10 @@ namespace
           }
         check_below("forces of bearings, over the largest", forces / force, straight);
         check_below("displacements in bearings, over the largest", ways / way, straight);
-        const Mounting mounting = PairMounting(model).measure(
-          [&](const unsigned int b, const BodyRing &) { return pair.measure_ring(b, ring::bore); });
+        const Mounting mounting =
+          PairMounting(model).measure([&](const unsigned int b, const BodyRing &) {
+            return pair.reader().read_ring(b, ring::bore);
+          });
         check("bores stand apart by more than bearings alone let them",
               std::abs(mounting.offset) > 2. * way);
       }

@@ -140,7 +140,8 @@ namespace
         const Probe &probe = model.probes[i];
         const double known = von_mises(stresses[model.bodies[probe.body].first_node + probe.node]);
         worst =
-          largest_of(worst, std::abs(pair.measure_probes({probe}).front().von_mises / known - 1.));
+          largest_of(worst,
+                     std::abs(pair.reader().read_probes({probe}).front().von_mises / known - 1.));
       }
     check("probes", model.probes.size() > 1);
     // The turn on the hub strains the whole body by its linear strains.

@@ -42,7 +42,7 @@ namespace vfife
                                            unsigned int      largest_diameters);
 
   /** The wave w with @p diameters, of a rim's motion Re(w exp(i n alpha)) in turning axes along a
-   * @p component (r, theta, z), of the @p coefficients that ReducedPair::measure_rim() has [um]. */
+   * @p component (r, theta, z), of the @p coefficients that PairReader::read_rim() has [um]. */
   std::complex<double> find_rim_wave(const std::vector<double> &coefficients,
                                      unsigned int               component,
                                      unsigned int               diameters);

@@ -2,24 +2,22 @@
 #ifndef vfife_reduced_reduced_pair_h
 #define vfife_reduced_reduced_pair_h
 
-#include <vfife/bearing/mean_motion.h>
 #include <vfife/contact/contact_impulse.h>
 #include <vfife/fem/pair/pressed_pair.h>
 #include <vfife/reduced/pair/pair_energy.h>
+#include <vfife/reduced/pair/pair_reader.h>
 #include <vfife/reduced/pair/pair_rows.h>
 #include <vfife/reduced/reduced_body.h>
 
 #include <cstdint>
-#include <functional>
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace vfife
 {
   class ByteStream;
+  class PressedBalance;
   struct Model;
-  struct Probe;
   struct State;
 
   struct ReducedPairOptions
@@ -87,30 +85,11 @@ namespace vfife
       return contact_impulse_;
     }
 
-    /** The value of a reading (its place among those of the body) on a sector, spin included. */
-    using Reader = std::function<double(unsigned int reading, unsigned int sector)>;
-
-    /** Reads body @p b as it is now; the pair must outlive the function. */
-    Reader reader(unsigned int b) const;
-
-    /** What @p probes show, which are the model's or copies of them in other sectors. */
-    std::vector<ProbeValue> measure_probes(const std::vector<Probe> &probes) const;
-
-    /** Coefficients of the rim's waves [um] up to @p largest diameters, as RimWaves has them. */
-    std::vector<double> measure_rim(unsigned int largest);
-
-    /** What the contact does to the modes of a body now, in the order of ReducedBody::harmonics. */
-    std::vector<Eigen::VectorXcd> measure_modal_forces(unsigned int body) const;
-
-    /** Turn of a body's momentum about its axis beyond the kinematic one [rad]. */
-    double measure_turn(unsigned int body) const;
-
-    /** The mean motion of a ring (its name) of a body in bearings now, without rates. */
-    MeanMotion::Motion measure_ring(unsigned int body, const std::string &name) const;
-
-    /** Where flank nodes of a body are now (3 each), fixed frame [mm]. */
-    std::vector<double> places_of(unsigned int b, const std::vector<unsigned int> &nodes) const;
-
+    /** Of the bodies as they are now. */
+    const PairReader &reader() const
+    {
+      return reader_;
+    }
     /** Mean motion of a body now, body frame to fixed frame. */
     RigidMotion body_motion(const unsigned int b) const
     {
@@ -166,7 +145,7 @@ namespace vfife
     void set_bearings();
     /** What the present contact does to the modes and the turn of each body. */
     std::vector<ModalForces> project() const;
-    ReducedEquilibrium       find_slope(PairAnswers &answers, const Eigen::VectorXd &u);
+    ReducedEquilibrium       find_slope(PressedBalance &equilibrium) const;
     void                     measure_angles(Measurements &measured) const;
     void                     measure_contact(State &state) const;
     double                   measure_drive_torque() const;
@@ -181,6 +160,7 @@ namespace vfife
     PairBearings                 bearings_;
     PressedState                 now_;
     PairEnergy                   energy_;
+    PairReader                   reader_;
     std::unique_ptr<PairAnswers> answers_;
     Eigen::VectorXd              displacements_; ///< of all rows at the end of the last step
     Eigen::VectorXd              earlier_force_; ///< a step before, at the rows, or empty

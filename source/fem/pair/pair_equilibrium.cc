@@ -3,6 +3,7 @@
 
 #include <vfife/base/errors.h>
 #include <vfife/fem/pair/pair_equilibrium.h>
+#include <vfife/fem/pair/pressed_balance.h>
 #include <vfife/model/pair_measures.h>
 
 #include <cmath>
@@ -92,7 +93,7 @@ namespace vfife
   unsigned int
   PairEquilibrium::balance(const Eigen::VectorXd &base, const double load, PressedState &now)
   {
-    return pair_.balance(*bodies_, base, TurnLoad{load}, tolerance, now, [&]() {
+    return PressedBalance(pair_, *bodies_, base, TurnLoad{load}).find(tolerance, now, [&]() {
       return find_excess(base + now.deflection);
     });
   }
@@ -201,8 +202,8 @@ namespace vfife
     const Eigen::VectorXd u = base + now.deflection;
     result.bearings         = bodies_->bearing_states(u);
     result.bearing_tangent  = bodies_->bearing_tangent(u);
-    const auto slope =
-      pair_.find_slope(*bodies_, u, acting, compliance_.at_rows(compliance_.twisted()), load(1.));
+    const auto slope        = PressedBalance(pair_, *bodies_, base, acting)
+                         .find_slope(now, compliance_.at_rows(compliance_.twisted()), load(1.));
     result.turn_slope = slope.second;
     for (const PressedPair::Spring &spring : pair_.find_springs())
       {

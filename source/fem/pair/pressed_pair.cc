@@ -1,8 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include "pressed_pair_parts.h"
-
 #include <vfife/base/errors.h>
-#include <vfife/model/tooth_contact.h>
+#include <vfife/contact/contact.h>
+#include <vfife/fem/pair/pressed_pair.h>
+#include <vfife/mesh/body_mesh.h>
+#include <vfife/model/model.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,15 +21,63 @@ namespace vfife
     constexpr unsigned int touch_steps = 60;
   } // namespace
 
-  void PressedBodies::add_forces(const Eigen::VectorXd & /*u*/, PressedForces & /*sum*/) const
+  /** One surface of a contact pair, its nodes' places among those of the rows, their motion. */
+  struct PressedPair::Surface
   {
-  }
+    static constexpr unsigned int no_place = static_cast<unsigned int>(-1);
 
-  PressedSprings
-  PressedBodies::find_springs(const Eigen::VectorXd & /*u*/, bool /*turning*/, bool /*own*/) const
+    unsigned int              body;
+    const FacetSurface       &facets;
+    std::vector<unsigned int> place; ///< of the surface's nodes, or no_place
+    std::vector<double>       mass, positions, velocities, forces;
+    std::vector<double>       held; ///< displacements without rows, axes of time zero
+
+    Surface(const Model &model, const unsigned int b, const std::string &name)
+      : body(b)
+      , facets(model.bodies[b].mesh().surfaces.at(name))
+      , place(facets.nodes.size(), no_place)
+      , positions(3 * facets.nodes.size(), 0.)
+      , velocities(3 * facets.nodes.size(), 0.)
+      , forces(3 * facets.nodes.size(), 0.)
+      , held(3 * facets.nodes.size(), 0.)
+    {
+      for (const unsigned int node : facets.nodes)
+        mass.push_back(model.bodies[b].node_masses()[node]);
+    }
+  };
+
+  struct PressedPair::Pair
   {
-    return {};
-  }
+    Surface slave, master;
+    Contact contact;
+
+    Pair(const ContactPair &pair, const Model &model)
+      : slave(model, pair.slave_body, pair.slave_surface)
+      , master(model, pair.master_body, pair.master_surface)
+      , contact(slave.facets, master.facets, pair.options)
+    {
+      contact.set_penalty(pair.options.penalty.value,
+                          contact.node_springs().mass_per_area(slave.mass, master.mass));
+      if (!pair.stiffness.empty())
+        contact.set_stiffness(pair.stiffness);
+      // Newton's method is one of springs along the normals.
+      contact.set_friction_mode(FrictionMode::none);
+    }
+
+    const std::vector<unsigned int> &active(const Surface &surface) const
+    {
+      return &surface == &slave ? contact.active_slave_nodes() : contact.active_master_nodes();
+    }
+    SurfaceMotion motion(const Surface &surface, const RigidMotion &body) const
+    {
+      return {surface.positions.data(), surface.velocities.data(), body};
+    }
+    /** Undeformed flanks may be apart by this and touch under load [mm]. */
+    double margin() const
+    {
+      return contact.search_skin() + contact.depth_limit();
+    }
+  };
 
   PressedPair::PressedPair(const Model &model)
     : model_(model)
@@ -49,6 +98,11 @@ namespace vfife
     rotations_[t.driver] =
       rotation_about(model_.bodies[t.driver].axis.direction, t.driver_sense * driver_turn);
     set_turn(0.);
+  }
+
+  double PressedPair::arm() const
+  {
+    return model_.only_transmission()->arm;
   }
 
   std::vector<double> PressedPair::kinematic_turns() const
@@ -276,7 +330,7 @@ namespace vfife
           break;
         if (std::abs(gap) < touch_tolerance)
           return turn;
-        turn += sense * gap / model_.only_transmission()->arm;
+        turn += sense * gap / arm();
       }
     fail("the flanks are not in contact within the search range: mounting errors separate them, or "
          "the torque rotates them past each other",
@@ -299,12 +353,51 @@ namespace vfife
       {
         // Twice as deep each time, until the contact has at least the torque: Newton's method comes
         // back from there, where all points that will carry are pressed.
-        guess.turn   = touch + sense * depth / model_.only_transmission()->arm;
+        guess.turn   = touch + sense * depth / arm();
         guess.acting = evaluate(bodies, u, guess.turn, true);
         if (-sense * guess.acting.contact_torque >= std::abs(load))
           return guess;
       }
     fail("the undeformed flanks cannot transmit the torque", "");
+  }
+
+  std::vector<PressedPair::Spring> PressedPair::find_springs() const
+  {
+    const unsigned int driven = model_.only_transmission()->driven;
+    const Axis        &axis   = model_.bodies[driven].axis;
+    // Of each point under pressure: h changes by d . (dx_s - dy), d on the slave's node weights and
+    // -d on the master's (at most 4 + 4 nodes), turned back into the axes of the rows; and by the
+    // turn of the driven body by b = sum of weight d . (a x (x - c)) over its nodes.
+    std::vector<Spring> springs;
+    for (const auto &pair : pairs_)
+      for (const ContactSpring &point : pair->contact.springs())
+        {
+          Spring &spring   = springs.emplace_back();
+          spring.stiffness = point.stiffness;
+
+          const auto add = [&](const Surface                     &surface,
+                               const std::array<unsigned int, 4> &corners,
+                               const std::array<double, 4>       &weights,
+                               const double                       sign,
+                               const unsigned int                 first) {
+            for (unsigned int k = 0; k < 4; ++k)
+              {
+                const Vector3                   f = sign * weights[k] * point.direction;
+                const Eigen::Map<const Vector3> x(surface.positions.data() + 3 * corners[k]);
+                const unsigned int              at = surface.place[corners[k]];
+                spring.nodes[first + k]            = {at,
+                                                      nodes_[at].axes.transpose() *
+                                                        (rotations_[surface.body].transpose() * f)};
+                if (surface.body == driven)
+                  spring.by_turn += f.dot(axis.direction.cross(x - axis.point));
+              }
+          };
+          const Surface &slave  = point.swapped ? pair->master : pair->slave;
+          const Surface &master = point.swapped ? pair->slave : pair->master;
+          add(slave, point.slave_nodes, point.slave_weights, 1., 0);
+          add(master, point.master_nodes, point.master_weights, -1., 4);
+        }
+    return springs;
   }
 
   std::vector<ToothContact> PressedPair::teeth() const

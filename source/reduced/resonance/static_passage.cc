@@ -26,8 +26,8 @@ namespace vfife
     for (unsigned int s = 0; s < n_steps; ++s)
       {
         pair.step_standing();
-        forces_.push_back(pair.measure_modal_forces(t.driven));
-        turns_.push_back(t.driven_sense * pair.measure_turn(t.driven));
+        forces_.push_back(pair.reader().read_modal_forces(t.driven));
+        turns_.push_back(t.driven_sense * pair.reader().read_turn(t.driven));
       }
   }
 

@@ -113,9 +113,9 @@ namespace vfife
   {
     return [&pair](const State &) -> FilletStrains {
       // The state of the pair's members once for all readings.
-      std::vector<ReducedPair::Reader> read;
+      std::vector<PairReader::Reading> read;
       for (unsigned int b = 0; b < 2; ++b)
-        read.push_back(pair.reader(b));
+        read.push_back(pair.reader().reading_of(b));
       return {
         [&pair, read](const MemberFillet &member,
                       const unsigned int  column,
@@ -166,16 +166,15 @@ namespace vfife
       std::array<RootSubmodels::MemberState, 2> states;
       for (unsigned int b = 0; b < states.size(); ++b)
         {
-          const auto &parts = submodels.of_body(b);
-          states[b].rate    = pair.body(b).rate;
-          states[b].followed =
-            [&parts, first = firsts[b], read = pair.reader(b)](const std::size_t  k,
-                                                               const unsigned int sector) {
-              Eigen::VectorXd values(parts[k].of_displacements().rows());
-              for (Eigen::Index row = 0; row < values.size(); ++row)
-                values[row] = read(first[k] + row, sector);
-              return values;
-            };
+          const auto &parts  = submodels.of_body(b);
+          states[b].rate     = pair.body(b).rate;
+          states[b].followed = [&parts, first = firsts[b], read = pair.reader().reading_of(b)](
+                                 const std::size_t k, const unsigned int sector) {
+            Eigen::VectorXd values(parts[k].of_displacements().rows());
+            for (Eigen::Index row = 0; row < values.size(); ++row)
+              values[row] = read(first[k] + row, sector);
+            return values;
+          };
           // Forces act in the fixed frame, on the body as it has turned.
           const Matrix3 to_body = pair.body_motion(b).rotation.transpose();
           for (const unsigned int node : flanks[b])

@@ -31,7 +31,7 @@ namespace vfife
           std::vector<unsigned int> nodes;
           for (const unsigned int node : of_teeth)
             nodes.push_back(facets.nodes[node]);
-          const std::vector<double> places = pair.places_of(bodies[side], nodes);
+          const std::vector<double> places = pair.reader().read_places(bodies[side], nodes);
           flanks.positions[side].assign(3 * facets.nodes.size(), 0.);
           flanks.forces[side] = flanks.positions[side];
           std::size_t i       = 0;

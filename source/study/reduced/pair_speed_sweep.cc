@@ -186,7 +186,7 @@ namespace vfife
   Eigen::MatrixXd PairSpeedSweep::read_stresses() const
   {
     const ProbeMeasure probes = [this](const std::vector<Probe> &copies) {
-      return pair_.measure_probes(copies);
+      return pair_.reader().read_probes(copies);
     };
     if (places_.fillets().empty())
       return places_.read(probes, nullptr);
@@ -262,7 +262,7 @@ namespace vfife
     // psi what the driven body has turned in the drive direction about the axis of its sectors.
     const double turned =
       t.driven_sense * pair_.sector_sense(t.driven) * (m.driven_angle - t.driven_start);
-    const std::vector<double> rim = pair_.measure_rim(SpeedResponse::largest_wave);
+    const std::vector<double> rim = pair_.reader().read_rim(SpeedResponse::largest_wave);
 
     SpeedSample sample;
     sample.error = m.transmission_error;

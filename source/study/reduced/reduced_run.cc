@@ -17,7 +17,7 @@ namespace vfife
   RingMotions bore_motions(const Model &model, const ReducedPair &pair)
   {
     return [&](const unsigned int b, const BodyRing &) {
-      return model.bodies[b].floats ? pair.measure_ring(b, ring::bore) : MeanMotion::Motion();
+      return model.bodies[b].floats ? pair.reader().read_ring(b, ring::bore) : MeanMotion::Motion();
     };
   }
 

@@ -199,14 +199,14 @@ namespace vfife
       {
         PairReadings readings;
         readings.probes = [&](const std::vector<Probe> &copies) {
-          return pair.measure_probes(copies);
+          return pair.reader().read_probes(copies);
         };
         readings.fillets = [&](const RootStress &, const RootSubmodels *const found) {
           return found != nullptr ? measure_submodel_readings(model, *found, pair)
                                   : measure_fillet_readings(pair);
         };
         readings.flanks = read_flanks(model, pair);
-        readings.rim    = [&](const unsigned int n) { return pair.measure_rim(n); };
+        readings.rim    = [&](const unsigned int n) { return pair.reader().read_rim(n); };
         readings.bores  = bore_motions(model, pair);
         return readings;
       }

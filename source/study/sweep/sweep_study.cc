@@ -1,52 +1,59 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/file_names.h>
-#include <vfife/base/parameters/number_list.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/command_line.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
-#include <vfife/base/text/number_text.h>
-#include <vfife/output/files/run_figures.h>
+#include <vfife/output/files/output_folder.h>
+#include <vfife/output/pictures.h>
 #include <vfife/study/study_kinds.h>
 #include <vfife/study/sweep/sweep_study.h>
 
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
-#include <iomanip>
+#include <filesystem>
 #include <limits>
-#include <sstream>
 
 namespace vfife
 {
   namespace
   {
+    namespace fs = std::filesystem;
+
     /** Results that are drawn beside those of the runs; a folder has at least one of them. */
     bool can_stand_beside(const std::string &folder)
     {
       return is_there(folder + "/coupled_modes.csv") || is_there(folder + "/resonance.csv");
     }
 
-    std::vector<std::string> split(const std::string &text, const char separator)
+    /** Some of the ranks. */
+    class Split
     {
-      std::vector<std::string> list;
-      std::istringstream       in(text);
-      for (std::string one; std::getline(in, one, separator);)
-        list.push_back(trimmed(one));
-      return list;
-    }
-  } // namespace
+    public:
+      Split(const Communicator &all, const unsigned int index)
+      {
+        MPI_Comm_split(all.mpi(), static_cast<int>(index), static_cast<int>(all.rank()), &comm_);
+      }
+      ~Split()
+      {
+        MPI_Comm_free(&comm_);
+      }
+      Split(const Split &)            = delete;
+      Split &operator=(const Split &) = delete;
 
-  std::string SweepStudy::folder_of_run(const std::size_t i)
-  {
-    // Two digits at least, so that folders are listed in the order of the runs.
-    std::ostringstream name;
-    name << "run_" << std::setw(2) << std::setfill('0') << i + 1;
-    return name.str();
-  }
+      MPI_Comm mpi() const
+      {
+        return comm_;
+      }
+
+    private:
+      MPI_Comm comm_ = MPI_COMM_NULL;
+    };
+  } // namespace
 
   unsigned int SweepStudy::count_groups(const Communicator &communicator) const
   {
@@ -67,58 +74,18 @@ namespace vfife
     return std::numeric_limits<std::size_t>::max();
   }
 
-  std::vector<std::string> SweepStudy::Parameter::list_entries() const
-  {
-    return split(entry, ';');
-  }
-
-  void SweepStudy::Parameter::check_commas(const char *list, const std::string &text) const
-  {
-    try
-      {
-        check_list_commas(text, ListNumbers::any);
-      }
-    catch (const InputError &error)
-      {
-        throw InputError("Sweep/Parameter " + name + "/" + list, error.what());
-      }
-  }
-
-  std::vector<std::string> SweepStudy::Parameter::list_values() const
-  {
-    // Vectors have commas of their own.
-    if (values.find(';') != std::string::npos)
-      return split(values, ';');
-    check_commas("values", values);
-    return split(values, ',');
-  }
-
-  std::vector<std::string> SweepStudy::Parameter::list_parts(const std::string &value) const
-  {
-    return list_entries().size() > 1 ? split(value, '|') : std::vector<std::string>{value};
-  }
-
-  std::vector<double> SweepStudy::Parameter::list_sizes() const
-  {
-    std::vector<double> list;
-    check_commas("relative element sizes", sizes);
-    for (const std::string &text : split(sizes, ','))
-      list.push_back(plain_number(text).value_or(0.)); // no size, as zero
-    return list;
-  }
-
   void SweepStudy::declare_own(dealii::ParameterHandler &prm)
   {
-    static const Choices<Combination> combinations = {{"grid", Combination::product},
-                                                      {"list", Combination::list}};
+    static const Choices<SweepRuns::Combination> combinations = {
+      {"grid", SweepRuns::Combination::product}, {"list", SweepRuns::Combination::list}};
     declare_file_name(prm, "base", base_, "Parameter file of the case, relative to this file");
     declare_names(prm,
                   "parameters",
-                  names_,
+                  runs_.names,
                   "Names of varied parameters; each has a section Parameter NAME");
     declare_choice(prm,
                    "combination",
-                   combination_,
+                   runs_.combination,
                    combinations,
                    "grid: all combinations of the values, the last parameter changes fastest; "
                    "list: first values of all parameters, then second values, and so on");
@@ -135,7 +102,7 @@ namespace vfife
                   "speed sweep");
     declare_names(prm,
                   "numerical parameters",
-                  error_by_,
+                  runs_.numerical,
                   "Numerical parameters, with values from the coarsest to the finest; they are "
                   "varied one by one, and results get error estimates from them");
     declare_integer(prm,
@@ -158,7 +125,7 @@ namespace vfife
       declare_own(first);
     });
     // Sized before anything is declared: entries are bound by address.
-    parameters_.resize(names_.size());
+    runs_.parameters.resize(runs_.names.size());
     figures_.resize(figure_names_.size());
     Subsection section(prm, "Sweep");
     declare_own(prm);
@@ -167,52 +134,22 @@ namespace vfife
         figures_[i].name = figure_names_[i];
         declare_section(prm, "Figure " + figure_names_[i], figures_[i]);
       }
-    for (std::size_t i = 0; i < names_.size(); ++i)
+    for (std::size_t i = 0; i < runs_.names.size(); ++i)
       {
-        parameters_[i].name = names_[i];
-        Subsection parameter(prm, "Parameter " + names_[i]);
-        declare_text(
-          prm,
-          "entry",
-          parameters_[i].entry,
-          "The entry with its sections, as Gear pair/Gear/Body/web thickness; several of "
-          "them separated by semicolons");
-        declare_text(prm,
-                     "values",
-                     parameters_[i].values,
-                     "Values separated by commas, or by semicolons if a value contains commas; "
-                     "with several entries one value per entry, separated by |");
-        declare_text(prm,
-                     "relative element sizes",
-                     parameters_[i].sizes,
-                     "Relative element size of each value of a numerical parameter: falling "
-                     "numbers separated by commas; empty: from the values, or from the numbers of "
-                     "elements of the runs");
+        runs_.parameters[i].name = runs_.names[i];
+        declare_section(prm, "Parameter " + runs_.names[i], runs_.parameters[i]);
       }
   }
 
-  CommandLine SweepStudy::command_line(const Values &values) const
+  CommandLine SweepStudy::command_line(const SweepRuns::Values &values) const
   {
     CommandLine line;
     line.parameter_file = base_;
     line.overrides      = split_entries(entries_, "Sweep/entries");
     // The swept value comes last: it wins over the entries that all runs share.
-    for (std::size_t i = 0; i < values.size(); ++i)
-      {
-        const std::vector<std::string> entries = parameters_[i].list_entries(),
-                                       parts   = parameters_[i].list_parts(values[i]);
-        for (std::size_t k = 0; k < entries.size(); ++k)
-          line.overrides.push_back(entries[k] + "=" + parts[k]);
-      }
+    const std::vector<std::string> swept = runs_.list_overrides(values);
+    line.overrides.insert(line.overrides.end(), swept.begin(), swept.end());
     return line;
-  }
-
-  std::string SweepStudy::describe(const Values &values) const
-  {
-    std::string text;
-    for (std::size_t i = 0; i < values.size(); ++i)
-      text += (i > 0 ? ", " : "") + parameters_[i].name + " = " + values[i];
-    return text;
   }
 
   void SweepStudy::check() const
@@ -221,35 +158,8 @@ namespace vfife
       throw InputError("Sweep/base", "the parameter file of the case is missing");
     if (!is_there(base_))
       throw InputError("Sweep/base", "file \"" + base_ + "\" does not exist");
-    if (parameters_.empty())
-      throw InputError("Sweep/parameters", "expected at least one parameter, got none");
-    check_numerical();
-    const Parameter *first = nullptr; // with which the others make a list
-    for (const Parameter &parameter : parameters_)
-      {
-        const std::string section = "Sweep/Parameter " + parameter.name;
-        const auto        values  = parameter.list_values();
-        const auto        entries = parameter.list_entries();
-        if (entries.empty() || std::count(entries.begin(), entries.end(), "") > 0)
-          throw InputError(section + "/entry", "the entry to vary is missing");
-        if (values.empty() || std::count(values.begin(), values.end(), "") > 0)
-          throw InputError(section + "/values", "a value is missing");
-        for (const std::string &value : values)
-          if (parameter.list_parts(value).size() != entries.size())
-            throw InputError(section + "/values",
-                             "expected one value for each of the " +
-                               std::to_string(entries.size()) + " entries, separated by |, got \"" +
-                               value + "\"");
-        if (is_numerical(parameter))
-          continue;
-        first               = first == nullptr ? &parameter : first;
-        const std::size_t n = first->list_values().size();
-        if (combination_ == Combination::list && values.size() != n)
-          throw InputError(section + "/values",
-                           "expected " + std::to_string(n) + " values as for \"" + first->name +
-                             "\" (combination = list), got " + std::to_string(values.size()));
-      }
-    check_columns();
+    runs_.check();
+    tables().check();
     for (const std::string &folder : beside_)
       if (!can_stand_beside(folder))
         throw InputError("Sweep/reference folders",
@@ -258,65 +168,103 @@ namespace vfife
                            "(resonance.csv)");
     // All runs are read before the first one begins: the last must not fail by a word after days.
     split_entries(entries_, "Sweep/entries");
-    for (const Values &values : list_runs())
+    for (const SweepRuns::Values &values : runs_.list())
       try
         {
           runner_.read(command_line(values));
         }
       catch (const InputError &error)
         {
-          const std::string message = "run with " + describe(values) + ": " + error.what();
-          const std::string entry   = find_cause(error.what());
+          const std::string message = "run with " + runs_.describe(values) + ": " + error.what();
+          const std::string entry   = runs_.find_cause(error.what());
           throw entry.empty() ? InputError(message) : InputError(entry, message);
         }
   }
 
-  std::string SweepStudy::find_cause(const std::string &message) const
-  {
-    for (const Parameter &parameter : parameters_)
-      for (const std::string &entry : parameter.list_entries())
-        if (message.find("\"" + entry + "=") != std::string::npos)
-          return "Sweep/Parameter " + parameter.name +
-                 (message.find("is not a") != std::string::npos ? "/entry" : "/values");
-    return "";
-  }
-
-  void SweepStudy::check_columns() const
-  {
-    // Names that the table has anyway: a run that does not exist has the same figures as any other.
-    std::vector<std::string> taken = {"run", "status"};
-    for (const auto &figure : read_run_figures("").figures)
-      taken.push_back(figure.first);
-    for (const std::string &name : names_)
-      {
-        if (std::count(taken.begin(), taken.end(), name) > 0)
-          throw InputError("Sweep/parameters",
-                           "rename the parameter: \"" + name +
-                             "\" is already a column of sweep.csv");
-        taken.push_back(name);
-      }
-    for (const HistoryFigure &figure : figures_)
-      {
-        const std::string section = "Sweep/Figure " + figure.name;
-        figure.check(section);
-        // Each figure has three columns.
-        for (const char *ending : {"", " error", " order"})
-          {
-            if (std::count(taken.begin(), taken.end(), figure.name + ending) > 0)
-              throw InputError(section,
-                               "rename the figure: \"" + figure.name + ending +
-                                 "\" is already a column of sweep.csv");
-            taken.push_back(figure.name + ending);
-          }
-      }
-  }
-
   void SweepStudy::inspect(Communicator &communicator, Log &log)
   {
-    const auto runs = list_runs();
+    const auto runs = runs_.list();
     for (std::size_t i = 0; i < runs.size(); ++i)
-      log.line(folder_of_run(i), ": ", describe(runs[i]));
+      log.line(SweepRuns::folder_of(i), ": ", runs_.describe(runs[i]));
     log.line(runs.size(), " runs, ", count_groups(communicator), " at a time");
+  }
+
+  void SweepStudy::copy_beside(const OutputFolder &folder) const
+  {
+    for (std::size_t i = 0; i < beside_.size(); ++i)
+      {
+        const fs::path    from(beside_[i]);
+        const std::string name = "beside/" + std::to_string(i + 1);
+        folder.make_subfolder(name);
+        // Copied, so that the report finds them when the folder of the sweep is moved.
+        for (const char *file :
+             {"coupled_modes.csv", "resonance.csv", "lumped.json", "parameters.prm"})
+          if (folder.is_writer() && is_there((from / file).string()))
+            folder.copy_file((from / file).string(), name + "/" + file);
+      }
+  }
+
+  void SweepStudy::run(OutputFolder &folder, Log &log)
+  {
+    // Rounds of as many runs as there are groups of ranks; after each round all ranks know how its
+    // runs have ended, and the tables are written anew.
+    copy_beside(folder);
+    const Communicator                  &all      = folder.communicator();
+    const std::vector<SweepRuns::Values> runs     = runs_.list();
+    const unsigned int                   n_groups = count_groups(all);
+    // Ranks that an uneven division leaves over join the last group.
+    const unsigned int      index = std::min(all.rank() / (all.size() / n_groups), n_groups - 1);
+    const Split             split(all, index);
+    Communicator            group(split.mpi());
+    std::vector<CaseReport> reports(runs.size());
+    bool                    stops = false;
+    for (std::size_t first = 0; first < runs.size() && !stops; first += n_groups)
+      {
+        //   n_groups = 3:   ranks 0 1 | 2 3 | 4 5 6      first    run 1 | run 2 | run 3
+        //                   group 0   |  1  |   2        then     run 4 | run 5 |   -
+        const std::size_t end = std::min(first + n_groups, runs.size());
+        for (std::size_t i = first; i < end; ++i)
+          {
+            log.line(SweepRuns::folder_of(i), " begins: ", runs_.describe(runs[i]));
+            folder.list_file(SweepRuns::folder_of(i) + "/");
+          }
+        CaseReport report;
+        // In a last round that is not full some groups have nothing to do: they wait for the others
+        // below.
+        if (first + index < end)
+          {
+            CommandLine line   = command_line(runs[first + index]);
+            line.output_folder = folder.file(SweepRuns::folder_of(first + index));
+            report             = runner_.do_case(line, restart_, group);
+          }
+
+        // Each group's first rank tells, the others wait.
+        const auto outcomes = all.all_gather(group.is_root() ? report.outcome : Outcome::waits);
+        const auto messages = all.all_gather(report.message);
+        const auto groups   = all.all_gather(index);
+        for (unsigned int rank = 0; rank < all.size(); ++rank)
+          if (outcomes[rank] != Outcome::waits)
+            {
+              const std::size_t i = first + groups[rank];
+              reports[i]          = {outcomes[rank], messages[rank]};
+              stops               = stops || outcomes[rank] == Outcome::interrupted;
+              log.line(SweepRuns::folder_of(i), " ", reports[i].describe());
+            }
+        tables().write(folder, reports, log);
+      }
+    // Only now, with all tables written, is an interruption or a failure passed on.
+    if (stops)
+      throw Interrupted("the sweep is stopped. Run the same command with --restart to continue");
+    if (pictures_)
+      draw_pictures(folder, log);
+    const auto n_failed =
+      std::count_if(reports.begin(), reports.end(), [](const CaseReport &report) {
+        return report.outcome == Outcome::failed;
+      });
+    if (n_failed > 0)
+      throw NumericalError(std::to_string(n_failed) + " of " + std::to_string(runs.size()) +
+                           " runs have failed; \"" + folder.file("sweep.json") +
+                           "\" states the reason");
   }
 
   std::unique_ptr<StudyKind> make_sweep_study(const CaseRunner &runner)

@@ -48,7 +48,7 @@ namespace vfife
 
   Complex WaveDriver::read_rim(const unsigned int n)
   {
-    return find_rim_wave(pair_.measure_rim(n), axial, n);
+    return find_rim_wave(pair_.reader().read_rim(n), axial, n);
   }
 
   WaveMotion WaveDriver::drive(const WaveMeeting &meeting, const WaveSchedule &schedule)
@@ -56,7 +56,7 @@ namespace vfife
     const unsigned int n = meeting.wave.diameters, driven = model_.only_transmission()->driven;
     const std::size_t  harmonic = find_harmonic(body(), n);
     const ProbeMeasure probes   = [this](const std::vector<Probe> &copies) {
-      return pair_.measure_probes(copies);
+      return pair_.reader().read_probes(copies);
     };
     const FilletMeasure measure_fillets = measure_fillet_readings(pair_);
     WaveRecord          record(meeting, *model_.only_transmission(), schedule);
@@ -79,7 +79,8 @@ namespace vfife
         const Complex turned = record.turned();
         if (record.counts())
           {
-            force += turned / double(n_counted) * pair_.measure_modal_forces(driven)[harmonic];
+            force +=
+              turned / double(n_counted) * pair_.reader().read_modal_forces(driven)[harmonic];
             pair_.measure(state);
           }
         if (record.is_last_mesh())

@@ -8,11 +8,20 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vfife
 {
   class PairBodies;
+
+  /** A contact point under pressure, for small motions u of points of the space: the
+   * energy stiffness/2 (sum of direction . u)^2. */
+  struct ContactTie
+  {
+    std::vector<std::pair<unsigned int, Vector3>> points; ///< and directions, axes of time zero
+    double                                        stiffness = 0; ///< [N/mm]
+  };
 
   /** A loaded gear pair at rest in its turning axes. */
   struct PairEquilibriumResult

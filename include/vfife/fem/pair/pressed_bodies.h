@@ -43,10 +43,10 @@ namespace vfife
     /** Displacements at the @p rows under unit forces there, a column each. */
     virtual Eigen::MatrixXd flexibility(const std::vector<unsigned int> &rows) = 0;
     /** Adds what acts at the rows behind the nodes'. */
-    virtual void add_forces(const Eigen::VectorXd &u, PressedForces &sum) const;
+    virtual void add_forces(const Eigen::VectorXd &u, PressedForces &sum) const = 0;
     /** Their springs; @p turning: also with the turn of the driven body; without @p own, those that
      * the bodies' answers have. */
-    virtual PressedSprings find_springs(const Eigen::VectorXd &u, bool turning, bool own) const;
+    virtual PressedSprings find_springs(const Eigen::VectorXd &u, bool turning, bool own) const = 0;
   };
 
   /** A contact acts on a node that has no rows. */

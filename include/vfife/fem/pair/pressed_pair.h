@@ -4,11 +4,11 @@
 
 #include <vfife/contact/contact_results.h>
 #include <vfife/fem/pair/pressed_bodies.h>
+#include <vfife/fem/pair/pressed_state.h>
 #include <vfife/model/state.h>
 #include <vfife/model/tooth_contact.h>
 
 #include <array>
-#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -18,60 +18,11 @@ namespace vfife
 {
   struct Model;
 
-  /** A contact point under pressure, for small motions u of points of the space: the
-   * energy stiffness/2 (sum of direction . u)^2. */
-  struct ContactTie
-  {
-    std::vector<std::pair<unsigned int, Vector3>> points; ///< and directions, axes of time zero
-    double                                        stiffness = 0; ///< [N/mm]
-  };
-
-  /** Torque on the driven body about its axis [N mm]: torque - stiffness (turn - rest). */
-  struct TurnLoad
-  {
-    double torque    = 0; ///< [N mm]
-    double stiffness = 0; ///< [N mm/rad]
-    double rest      = 0; ///< [rad]
-
-    double at(const double turn) const
-    {
-      return torque - stiffness * (turn - rest);
-    }
-    /** [mJ] */
-    double potential(const double turn) const
-    {
-      return .5 * stiffness * (turn - rest) * (turn - rest) - torque * turn;
-    }
-  };
-
-  /** Where the Newton method of a PressedPair is: forces taken for those that act, the bodies'
-   * answer to them, the turn, and what then acts. */
-  struct PressedState
-  {
-    Eigen::VectorXd force, deflection; ///< at the rows
-    double          turn     = 0;      ///< of the driven body beyond its kinematic turn [rad]
-    bool            touching = true;   ///< otherwise the turn is given and contact is left out
-    /** Forces are compared with at least this [N]; 0: with those of the contact, which then must
-     * not be lost. */
-    double unit = 0;
-    /** Where contact may be lost: iterations after which the best balance will do. */
-    unsigned int  patience = 12;
-    PressedForces acting;
-
-    double potential(const TurnLoad &load) const;
-    /** Forces that the bodies were bent by less those that then act, over the contact's, or what
-     * the torque lacks, over the load's. */
-    double residual(const TurnLoad &load, double arm) const;
-    /** Whether something is pressed, where it has to. */
-    bool presses() const;
-  };
-
   /**
    * The contact of a gear pair between elastic bodies whose answers to forces are known, with the
    * rotation of the driven body as the last unknown (doc/theory/fem.md, Static with contact): the
    * penalty contact of the explicit solver acts on the moved flanks, without friction and damping.
-   * Newton's method on the springs of the contact points with a line search on the potential
-   * energy. Rows of nodes are along axes of their own.
+   * Rows of nodes are along axes of their own.
    */
   class PressedPair
   {
@@ -108,6 +59,8 @@ namespace vfife
     /** Of the driven body beyond its kinematic turn. */
     void set_turn(double turn);
 
+    /** Of the transmission: a turn of the driven body is counted as a way at it [mm]. */
+    double                      arm() const;
     const std::vector<Matrix3> &rotations() const
     {
       return rotations_;
@@ -161,30 +114,8 @@ namespace vfife
                              double                 load,
                              PressedState           guess);
 
-    /**
-     * Finds the equilibrium: displacements are @p base and the bodies' answer. @p tolerance: of
-     * PressedState::residual(). Where a point between two facets is pressed by one and the other
-     * in turn, the best one will do: below 1e-3 after PressedState::patience iterations where
-     * contact may be lost, else below 1e-5 after 60. Returns the iterations; throws NumericalError,
-     * naming position and history of residuals, and what @p explain says where that is not empty.
-     */
-    unsigned int balance(PressedBodies                      &bodies,
-                         const Eigen::VectorXd              &base,
-                         const TurnLoad                     &load,
-                         double                              tolerance,
-                         PressedState                       &now,
-                         const std::function<std::string()> &explain = nullptr);
-
     /** The springs of the contact where it was last evaluated. */
     std::vector<Spring> find_springs() const;
-
-    /** Change of forces at the rows (first) and of the turn (second) at an equilibrium when the
-     * displacements without contact change by @p base and the torque by @p torque. */
-    std::pair<Eigen::VectorXd, double> find_slope(PressedBodies         &bodies,
-                                                  const Eigen::VectorXd &u,
-                                                  const TurnLoad        &load,
-                                                  const Eigen::VectorXd &base,
-                                                  double                 torque);
 
     /** Tooth pairs in contact where it was last evaluated. */
     std::vector<ToothContact> teeth() const;
@@ -205,24 +136,13 @@ namespace vfife
   private:
     struct Surface;
     struct Pair;
-    struct Tangent;
 
     /** By body and node: the place among @p nodes, or Surface::no_place. */
     std::vector<std::vector<unsigned int>>
     places_of(const std::vector<std::pair<unsigned int, unsigned int>> &nodes) const;
     /** @p u: empty: of all that has been held. */
-    void    move(Pair &pair, const Eigen::VectorXd &u);
-    void    add_contact(const Eigen::VectorXd &u, PressedForces &sum);
-    Tangent linearize(PressedBodies         &bodies,
-                      const Eigen::VectorXd &u,
-                      const TurnLoad        &load,
-                      bool                   touching,
-                      bool                   own) const;
-    void    search_line(const PressedBodies   &bodies,
-                        const Eigen::VectorXd &base,
-                        const TurnLoad        &load,
-                        const PressedState    &full,
-                        PressedState          &now);
+    void move(Pair &pair, const Eigen::VectorXd &u);
+    void add_contact(const Eigen::VectorXd &u, PressedForces &sum);
 
     const Model                       &model_;
     std::vector<std::unique_ptr<Pair>> pairs_;

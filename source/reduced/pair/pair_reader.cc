@@ -1,11 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// What is measured of a ReducedPair.
 #include <vfife/model/body_frame.h>
 #include <vfife/model/model.h>
-#include <vfife/model/pair_measures.h>
 #include <vfife/model/state.h>
+#include <vfife/reduced/pair/pair_reader.h>
 #include <vfife/reduced/pair_readings.h>
-#include <vfife/reduced/reduced_pair.h>
 
 #include <Eigen/Geometry>
 
@@ -17,78 +15,7 @@ namespace vfife
   using Eigen::VectorXcd;
   using Eigen::VectorXd;
 
-  void ReducedPair::measure_angles(Measurements &measured) const
-  {
-    const Transmission &t    = *model_.only_transmission();
-    const auto          read = [&](const unsigned int b, const char *const reading) {
-      return members_[b]->read_turn(reading, members_[b]->part_of(now_.force));
-    };
-    measured.driver_angle =
-      t.driver_bore.empty() ? 0. : t.driver_sense * read(t.driver, reading::bore_turn);
-    measured.driven_angle = t.driven_sense * read(t.driven, reading::bore_turn);
-    measured.rim_angle    = t.driven_sense * read(t.driven, reading::rim_turn);
-    complete_angles(t, drive_.turn, measured);
-  }
-
-  void ReducedPair::measure_contact(State &state) const
-  {
-    Measurements &m = state.measured;
-    set_teeth(pair_.teeth(), model_.contacts.size(), m);
-    if (state.contact_force.empty())
-      return;
-    state.contact_force.set_zero();
-    for (std::size_t i = 0; i < rows_.nodes().size(); ++i)
-      {
-        const auto &[b, node] = rows_.nodes()[i];
-        state.contact_force.set(model_.bodies[b].first_node + node,
-                                pair_.to_fixed_frame(i, now_.force.segment<3>(3 * i)));
-      }
-  }
-
-  void ReducedPair::add_contact_impulse()
-  {
-    Measurements measured;
-    set_teeth(pair_.teeth(), model_.contacts.size(), measured);
-    contact_impulse_.add(time_step(), measured.contact_force, measured.contact_torque);
-  }
-
-  double ReducedPair::measure_drive_torque() const
-  {
-    const PairMember &driver = *members_[model_.only_transmission()->driver];
-    double torque = driver.inertia * driver.axial.acceleration - now_.acting.driver_torque;
-    if (!driver.in_bearings())
-      return torque;
-    // What turns the shaft's end.
-    torque = 0;
-    for (const Coupling &coupling : model_.couplings)
-      if (coupling.body == model_.only_transmission()->driver)
-        {
-          const auto [way, rate] = driver.twist(coupling, driver.part_of(now_.force));
-          torque -= coupling.stiffness * way + coupling.damping * rate;
-        }
-    return torque;
-  }
-
-  void ReducedPair::measure(State &state)
-  {
-    state.time = drive_.time;
-    state.step = drive_.n_steps;
-    state.dt   = time_step();
-    measure_angles(state.measured);
-    measure_contact(state);
-    energy_.measure();
-    state.measured.energy       = energy_.ledger;
-    state.measured.bearings     = bearings_.measure(drive_.n_steps > 0);
-    state.measured.drive_torque = measure_drive_torque();
-    state.measured.rate_factor  = drive_.rate_factor();
-    state.measured.body_rates.clear();
-    for (const auto &member : members_)
-      state.measured.body_rates.push_back(member->rate + member->motion.turn_rate() +
-                                          member->modal_rate());
-    state.measured.probes = measure_probes(model_.probes);
-  }
-
-  ReducedPair::Reader ReducedPair::reader(const unsigned int b) const
+  PairReader::Reading PairReader::reading_of(const unsigned int b) const
   {
     const PairMember &member = *members_[b];
     return
@@ -101,13 +28,13 @@ namespace vfife
       };
   }
 
-  std::vector<ProbeValue> ReducedPair::measure_probes(const std::vector<Probe> &probes) const
+  std::vector<ProbeValue> PairReader::read_probes(const std::vector<Probe> &probes) const
   {
     std::vector<ProbeValue> measured;
     for (const Probe &probe : probes)
       {
-        const ReducedBody    &reduced = body(probe.body);
-        const Reader          read    = reader(probe.body);
+        const ReducedBody    &reduced = members_[probe.body]->body;
+        const Reading         read    = reading_of(probe.body);
         std::array<double, 9> values{};
         for (unsigned int c = 0; c < values.size(); ++c)
           values[c] = read(reduced.find_reading(reading::of_probe(probe.name, c)),
@@ -125,21 +52,22 @@ namespace vfife
     return measured;
   }
 
-  std::vector<VectorXcd> ReducedPair::measure_modal_forces(const unsigned int body) const
+  std::vector<VectorXcd> PairReader::read_modal_forces(const unsigned int body) const
   {
     const PairMember &member = *members_[body];
     return member.rows.project(member.part_of(now_.force));
   }
 
-  double ReducedPair::measure_turn(const unsigned int body) const
+  double PairReader::read_turn(const unsigned int body) const
   {
     return members_[body]->motion.turn();
   }
 
-  std::vector<double> ReducedPair::measure_rim(const unsigned int largest)
+  std::vector<double> PairReader::read_rim(const unsigned int largest) const
   {
     // A wave is the sum over sectors k of exp(i n k alpha) (a_k + i b_k), a and b its readings
     // [mm]: of all nodes of the rim, share u exp(i n alpha).
+    // Rows keep the waves that they have found.
     PairMember                  &member      = *members_[model_.only_transmission()->driven];
     const ReducedBody           &body        = member.body;
     const std::vector<VectorXcd> coordinates = member.coordinates();
@@ -168,7 +96,7 @@ namespace vfife
     return coefficients;
   }
 
-  MeanMotion::Motion ReducedPair::measure_ring(const unsigned int b, const std::string &name) const
+  MeanMotion::Motion PairReader::read_ring(const unsigned int b, const std::string &name) const
   {
     const PairMember                 &member = *members_[b];
     const unsigned int                ring   = member.body.rings.find(name);
@@ -187,8 +115,8 @@ namespace vfife
     return placed;
   }
 
-  std::vector<double> ReducedPair::places_of(const unsigned int               b,
-                                             const std::vector<unsigned int> &nodes) const
+  std::vector<double> PairReader::read_places(const unsigned int               b,
+                                              const std::vector<unsigned int> &nodes) const
   {
     std::vector<PairRows::NodeOfBody> of_body;
     for (const unsigned int node : nodes)
