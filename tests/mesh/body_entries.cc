@@ -8,6 +8,7 @@
 
 #include <vfife/mesh/gear/conical_web.h>
 #include <vfife/mesh/gear/gear_body.h>
+#include <vfife/mesh/gear/gear_body_sizes.h>
 #include <vfife/mesh/mesh_quality.h>
 #include <vfife/mesh/node_set_names.h>
 
@@ -154,7 +155,7 @@ namespace
   void sizes(const GearMember &pinion)
   {
     const GearBodyOptions sized =
-      read(pinion_body_defaults(), "", "set element size = 3 mm\n").with_counts_of_size(pinion);
+      with_counts_of_size(read(pinion_body_defaults(), "", "set element size = 3 mm\n"), pinion);
     // 30 mm of face, 3.34 + 1.91 mm of tooth; in between as the tooth is thick
     check("element size: cells lengthwise and flank rows",
           sized.cells_lengthwise == 10 && sized.flank_rows == 2 && sized.element_size == 0.);

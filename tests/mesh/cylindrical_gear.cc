@@ -4,6 +4,7 @@
 #include "../tests.h"
 
 #include <vfife/mesh/gear/gear_body.h>
+#include <vfife/mesh/gear/gear_body_check.h>
 #include <vfife/mesh/gear/gear_meridian.h>
 #include <vfife/mesh/mesh_quality.h>
 #include <vfife/mesh/node_set_names.h>
@@ -173,7 +174,7 @@ namespace
                   GearBodyOptions        options,
                   const double           exact)
   {
-    options.check("Gear", gear.blank());
+    check_gear_body("Gear", options, gear.blank());
     const MeshQuality coarse_mesh =
       compute_mesh_quality(make_gear_body(gear, options)->triangulation);
     check(name + ": cells are right-handed", coarse_mesh.least_determinant > 0.);

@@ -11,6 +11,7 @@
 
 #include <vfife/mesh/gear/conical_web.h>
 #include <vfife/mesh/gear/gear_body.h>
+#include <vfife/mesh/gear/gear_body_check.h>
 #include <vfife/mesh/gear/gear_section.h>
 #include <vfife/mesh/mesh_quality.h>
 #include <vfife/mesh/node_set_names.h>
@@ -191,7 +192,7 @@ namespace
     GearBodyOptions options = coarse(GearBodyOptions());
     change(options);
     return entry_and_message_of([&] {
-             options.check("Gear pair/Gear", member.blank());
+             check_gear_body("Gear pair/Gear", options, member.blank());
            }).find("Gear pair/Gear/") == 0;
   }
 
@@ -246,7 +247,7 @@ namespace
           options.web_thickness == 3.5 && std::abs(options.web_angle - 55. * pi / 180.) < 1e-15 &&
             options.web_direction == WebDirection::apex && options.flank_rows == 4 &&
             options.web == WebKind::conical);
-    options.check("Gear pair/Gear", gear.blank());
+    check_gear_body("Gear pair/Gear", options, gear.blank());
   }
 } // namespace
 

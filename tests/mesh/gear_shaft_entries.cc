@@ -9,7 +9,8 @@
 #include "sector_copies.h"
 
 #include <vfife/mesh/gear/gear_body.h>
-#include <vfife/mesh/gear/gear_shaft_builder.h>
+#include <vfife/mesh/gear/gear_body_check.h>
+#include <vfife/mesh/gear/gear_shaft_check.h>
 #include <vfife/mesh/node_set_names.h>
 
 #include <iostream>
@@ -64,7 +65,7 @@ namespace
     options.shaft.levels = levels;
     std::cout << what << ": ";
     print_refused_entry([&] {
-      options.check("Gear pair/Pinion", gear.blank());
+      check_gear_body("Gear pair/Pinion", options, gear.blank());
       check_gear_shaft("Gear pair/Pinion/Shaft", gear, options);
     });
   }

@@ -6,7 +6,8 @@
 #include "paper_members.h"
 
 #include <vfife/gear/spiral_bevel/gear_pair_options.h>
-#include <vfife/mesh/gear/gear_body_options.h>
+#include <vfife/mesh/gear/gear_body_check.h>
+#include <vfife/mesh/gear/gear_body_sizes.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -19,7 +20,7 @@ namespace
   GearBodyOptions open(GearBodyOptions options, const BlankOutline &blank)
   {
     options.leave_sizes_open();
-    return options.with_open_sizes(blank);
+    return with_open_sizes(options, blank);
   }
 
   void reference_pair()
@@ -36,7 +37,7 @@ namespace
     given.leave_sizes_open();
     given.hub_radius    = 48;
     given.web_thickness = 4;
-    given               = given.with_open_sizes(paper::gear().blank());
+    given               = with_open_sizes(given, paper::gear().blank());
     check("given sizes stay, the bore follows the hub",
           given.hub_radius == 48 && given.web_thickness == 4 && given.bore_radius == 40);
   }
@@ -51,8 +52,8 @@ namespace
         GearBodyOptions::declare_fineness(prm, pinion, gear, has_numbers);
         prm.set("mesh", word);
         gear.element_size = of_gear;
-        return Vector2(pinion.with_open_sizes(paper::pinion().blank()).element_size,
-                       gear.with_open_sizes(paper::gear().blank()).element_size);
+        return Vector2(with_open_sizes(pinion, paper::pinion().blank()).element_size,
+                       with_open_sizes(gear, paper::gear().blank()).element_size);
       };
     // 79 teeth on a pitch diameter of 249 mm
     const double module = 2. * paper::gear().blank().outer_cone_distance *
@@ -79,8 +80,8 @@ namespace
     GearBodyOptions       body;
     body.web_angle            = angle * pi / 180;
     const std::string message = message_of([&] {
-      open(pinion_body_defaults(), pair.pinion.blank).check("pinion", pair.pinion.blank);
-      open(body, pair.gear.blank).check("gear", pair.gear.blank);
+      check_gear_body("pinion", open(pinion_body_defaults(), pair.pinion.blank), pair.pinion.blank);
+      check_gear_body("gear", open(body, pair.gear.blank), pair.gear.blank);
     });
     return message.empty() ? "fits" : message;
   }
@@ -113,8 +114,10 @@ namespace
             if (!message_of([&]() { pair = asked.completed(); }).empty())
               continue; // no such pair
             const std::string message = message_of([&]() {
-              open(pinion_body_defaults(), pair.pinion.blank).check("pinion", pair.pinion.blank);
-              open(GearBodyOptions(), pair.gear.blank).check("gear", pair.gear.blank);
+              check_gear_body("pinion",
+                              open(pinion_body_defaults(), pair.pinion.blank),
+                              pair.pinion.blank);
+              check_gear_body("gear", open(GearBodyOptions(), pair.gear.blank), pair.gear.blank);
             });
             if (!message.empty())
               misfit = std::to_string(pinion) + "/" + std::to_string(asked.proposal.gear_teeth) +
@@ -131,10 +134,10 @@ namespace
     GearBodyOptions    back     = open(GearBodyOptions(), blank);
     check("at 45 deg the web goes towards the apex", back.web_direction == WebDirection::apex);
     back.web_direction = WebDirection::back;
-    std::cout << message_of([&]() { back.check("gear", blank); }) << std::endl;
+    std::cout << message_of([&]() { check_gear_body("gear", back, blank); }) << std::endl;
     back.web_angle = 74. * degree;
     check("an angle that the message names fits",
-          message_of([&]() { back.check("gear", blank); }).empty());
+          message_of([&]() { check_gear_body("gear", back, blank); }).empty());
   }
 } // namespace
 

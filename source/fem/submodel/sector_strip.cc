@@ -5,7 +5,7 @@
 #include <vfife/fem/solvers/direct_solver.h>
 #include <vfife/fem/system/fem_matrix.h>
 #include <vfife/mesh/body_mesh.h>
-#include <vfife/mesh/gear/gear_sector.h>
+#include <vfife/mesh/gear/sector/gear_sector.h>
 #include <vfife/mesh/node_set_names.h>
 
 #include <algorithm>

@@ -181,9 +181,9 @@ namespace vfife
       MachineSettings trial = settings;
       if (!(trial.ratio_of_roll > 0.))
         {
-          const double t      = Flank::angle_of_normal(settings, two.pinion_normal[2]);
+          const double t      = GeneratedSurface::angle_of_normal(settings, two.pinion_normal[2]);
           const double s      = (pinion.mean_dedendum + height) / std::cos(settings.blade_angle);
-          trial.ratio_of_roll = Flank::ratio_of_roll_at(settings, t, s);
+          trial.ratio_of_roll = GeneratedSurface::ratio_of_roll_at(settings, t, s);
         }
       // The pinion's point at the same height, turned into the plane of the axes.
       const GeneratedPoint point1 = Flank(trial, pinion.pitch_angle).point_at(length, height);
@@ -206,7 +206,7 @@ namespace vfife
       const MeshingGearPoint two(options,
                                  gear_flank,
                                  {gear.mean_cone_distance, middle_height(pinion, gear)});
-      const double           t   = Flank::angle_of_normal(settings, two.pinion_normal[2]);
+      const double           t = GeneratedSurface::angle_of_normal(settings, two.pinion_normal[2]);
       const GeneratedPoint   one = Flank(settings, pinion.pitch_angle).evaluate(t, 0.);
       Seven                  y;
       y << t, 0., polar_angle(two.pinion_normal) - polar_angle(one.normal), two.point.t,

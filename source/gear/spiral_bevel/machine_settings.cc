@@ -61,6 +61,13 @@ namespace vfife
     return std::cos(pitch_angle - machine_root_angle) / std::sin(pitch_angle);
   }
 
+  Vector3 MachineSettings::apex() const
+  {
+    return {machine_center_to_back * std::cos(machine_root_angle),
+            blank_offset,
+            -sliding_base - machine_center_to_back * std::sin(machine_root_angle)};
+  }
+
   Vector3 MachineSettings::tilt_direction() const
   {
     const double angle = cradle_angle + cutter_swivel;

@@ -168,7 +168,7 @@ namespace vfife
 
         // the component of the normal along the blank's axis gives t, its azimuth the rotation
         result.cradle_angle = blank_.hand == Hand::left ? 1. : -1.; // the sign counts here
-        t                   = Flank::angle_of_normal(result, normal_[2]);
+        t                   = GeneratedSurface::angle_of_normal(result, normal_[2]);
         // the blade's normal in the frame of the blank; its azimuth gives the blank's rotation
         const Vector3 e(std::cos(t), std::sin(t), 0.);
         const Vector3 n = sigma * cos_al * e - sin_al * Vector3::UnitZ();
@@ -187,7 +187,7 @@ namespace vfife
         const Vector3 center   = r - (x[0] + sigma * s * sin_al) * e;
         result.radial_distance = std::hypot(center[0], center[1]);
         result.cradle_angle    = polar_angle(center);
-        result.ratio_of_roll   = Flank::ratio_of_roll_at(result, t, s);
+        result.ratio_of_roll   = GeneratedSurface::ratio_of_roll_at(result, t, s);
         return result;
       }
 

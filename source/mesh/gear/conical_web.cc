@@ -69,6 +69,14 @@ namespace vfife
     return std::abs(turn_from_wall(blank, shape)) <= 75. * degree + 1e-9;
   }
 
+  ConicalWeb::ConicalWeb(const BlankOutline &blank, const WebShape &shape)
+    : ConicalWeb(blank,
+                 shape,
+                 -blank.dedendum(blank.inner_cone_distance()),
+                 -blank.dedendum(blank.outer_cone_distance))
+  {
+  }
+
   ConicalWeb::ConicalWeb(const BlankOutline &blank,
                          const WebShape     &shape,
                          const double        toe_root_height,

@@ -1,10 +1,12 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/mesh/gear/flank_surface.h>
 #include <vfife/mesh/gear/gear_body.h>
+#include <vfife/mesh/gear/gear_body_check.h>
+#include <vfife/mesh/gear/gear_body_sizes.h>
 #include <vfife/mesh/gear/gear_manifolds.h>
-#include <vfife/mesh/gear/gear_sector_builder.h>
-#include <vfife/mesh/gear/gear_shaft_builder.h>
+#include <vfife/mesh/gear/gear_shaft_check.h>
 #include <vfife/mesh/gear/refined_sector.h>
+#include <vfife/mesh/gear/sector/gear_sector_builder.h>
 #include <vfife/mesh/mesh_size.h>
 #include <vfife/mesh/node_set_names.h>
 
@@ -33,11 +35,11 @@ namespace vfife
 
   std::unique_ptr<BodyMesh> make_gear_body(const GearGeometry &gear, const GearBodyOptions &asked)
   {
-    asked.check(gear.name(), gear.blank());
+    check_gear_body(gear.name(), asked, gear.blank());
     check_gear_shaft(gear.name() + "/Shaft", gear, asked);
     check_surface_layer(gear.name() + "/Mesh", gear, asked.fillet_corner, asked.surface_layer);
     // 1. The template of one sector.
-    const GearBodyOptions options = asked.with_counts_of_size(gear);
+    const GearBodyOptions options = with_counts_of_size(asked, gear);
     check_mesh_size(gear.name(), options.n_cells(gear.blank().teeth));
     const GearSector   sector    = make_gear_sector(gear, options);
     const unsigned int n_sectors = gear.blank().teeth, n_nodes = sector.nodes.size();

@@ -2,6 +2,10 @@
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/mesh/gear/gear_body_options.h>
 
+#include <cmath>
+#include <string>
+#include <vector>
+
 namespace vfife
 {
   namespace
@@ -192,6 +196,69 @@ namespace vfife
       "blocks meet below the surface and not on the fillet, where root stresses are read. The "
       "layer shortens the time step of runs. Use 0.2 modules for root stresses; none: no layer",
       Range::positive().or_word("none"));
+  }
+
+  void GearBodyOptions::declare_fineness(dealii::ParameterHandler &prm,
+                                         GearBodyOptions          &pinion,
+                                         GearBodyOptions          &gear,
+                                         const bool                has_numbers)
+  {
+    // Edges in modules (doc/verification/gear-pair.md, Penalty and mesh, has what each of them
+    // leaves as error).
+    const double             coarse_edge = 2. / 3.;
+    const Choices<double>    edges       = {{"auto", has_numbers ? 0. : coarse_edge},
+                                            {"by members", 0.},
+                                            {"coarse", coarse_edge},
+                                            {"medium", .45},
+                                            {"fine", .3}};
+    std::vector<std::string> words;
+    for (const auto &edge : edges)
+      words.push_back(edge.first);
+    declare_choice(
+      prm,
+      "mesh",
+      words,
+      words.front(),
+      [&pinion, &gear, edges](const unsigned int chosen) {
+        pinion.edge_in_modules = gear.edge_in_modules = edges[chosen].second;
+      },
+      "Mesh density of both bodies. coarse, medium, fine: edge lengths of about "
+      "0.67, 0.45 and 0.3 outer transverse modules; by members: the "
+      "numbers of elements in the Mesh sections of the members, by default about 1,300 elements "
+      "per tooth; auto: by members where the file has a section Mesh of a member, otherwise "
+      "coarse. "
+      "The element size of a member overrides this choice");
+  }
+
+  void GearBodyOptions::leave_sizes_open()
+  {
+    web_thickness = rim_thickness = hub_radius = hub_length = bore_radius = 0.;
+    web_direction                                                         = WebDirection::fitting;
+  }
+
+  double GearBodyOptions::n_cells(const unsigned int teeth) const
+  {
+    // In numbers that do not overflow. The tooth has a row for the fillet besides those of the
+    // flank.
+    const double in_teeth = cells_lengthwise * (flank_rows + 1.) * cells_across;
+    const double in_rim   = static_cast<double>(cells_lengthwise) * rim_rows * columns();
+    double       n        = in_teeth + in_rim;
+    if (surface_layer > 0.)
+      n += cells_lengthwise * (cells_across + 2. * (flank_rows + 3.));
+    if (web == WebKind::solid)
+      n += shaft.n_cells(bore_radius, columns(), cells_lengthwise);
+    if (web == WebKind::conical)
+      {
+        // Three columns of the rim become one in a first row of four cells each.
+        const unsigned int groups = coarsens() ? columns() / 3 : columns();
+        const double       fillets =
+          (rim_fillet_radius > 0. ? fillet_rows * static_cast<double>(columns()) : 0.) +
+          (hub_fillet_radius > 0. ? fillet_rows * double(groups) : 0.);
+        n += web_layers * (groups * (web_rows + (coarsens() ? 3. : 0.)) + fillets);
+        n += hub_rows * (2. * hub_side_cells + web_layers) * groups;
+        n += shaft.n_cells(bore_radius, groups, 2 * hub_side_cells + web_layers);
+      }
+    return teeth * n * std::pow(8., refinements);
   }
 
   GearBodyOptions pinion_body_defaults()

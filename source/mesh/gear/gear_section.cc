@@ -259,6 +259,16 @@ namespace vfife
     return sections;
   }
 
+  double left_angle_at(const std::vector<GearSection> &sections, const double L)
+  {
+    const double n     = sections.size() - 1.;
+    const double along = (L - sections.front().cone_distance) /
+                         (sections.back().cone_distance - sections.front().cone_distance) * n;
+    const auto i = static_cast<unsigned int>(std::min(n - 1., std::max(0., std::floor(along))));
+    return sections[i].left_angle +
+           (along - i) * (sections[i + 1].left_angle - sections[i].left_angle);
+  }
+
   Vector3 position_of(const BlankOutline &blank, const double L, const double h, const double angle)
   {
     const Vector2 r_z = blank.meridian_point({L, h});

@@ -9,8 +9,10 @@
 #include <vfife/gear/rating/iso10300_b1.h>
 #include <vfife/gear/unloaded_contact/contact_analysis.h>
 #include <vfife/gear/unloaded_contact/unloaded_contact.h>
+#include <vfife/mesh/gear/gear_body_check.h>
+#include <vfife/mesh/gear/gear_body_sizes.h>
 #include <vfife/mesh/gear/gear_meridian.h>
-#include <vfife/mesh/gear/gear_shaft_builder.h>
+#include <vfife/mesh/gear/gear_shaft_check.h>
 #include <vfife/mesh/shaft_sections.h>
 #include <vfife/study/cases/body_figures.h>
 #include <vfife/study/cases/contact_resolution.h>
@@ -42,7 +44,7 @@ namespace vfife
 
   GearBodyOptions GearCase::Member::with_levels(const BlankOutline &blank) const
   {
-    GearBodyOptions options = body.with_open_sizes(blank);
+    GearBodyOptions options = with_open_sizes(body, blank);
     options.shaft.levels    = supports.levels();
     return options;
   }
@@ -179,7 +181,7 @@ namespace vfife
           const GearMember &gear = b == 0 ? pair->pinion() : pair->gear();
           check_gear_shaft(section, gear, body_of(gear.blank()));
         };
-        check([&](const Blank &blank) { return member.body.with_open_sizes(blank); });
+        check([&](const Blank &blank) { return with_open_sizes(member.body, blank); });
         member.supports.check(section, member.shaft_sections());
         check([&](const Blank &blank) { return member.with_levels(blank); });
       }
@@ -203,7 +205,7 @@ namespace vfife
     // Bodies are checked against blanks with everything that is derived from other entries.
     const GearPairOptions completed  = pair_.completed();
     const auto            check_body = [](const Member &member, const Blank &blank) {
-      member.body.with_open_sizes(blank).check("Gear pair/" + member.name, blank);
+      check_gear_body("Gear pair/" + member.name, with_open_sizes(member.body, blank), blank);
     };
     check_body(members_[0], completed.pinion.blank);
     check_body(members_[1], completed.gear.blank);
@@ -367,7 +369,7 @@ namespace vfife
 
   GearBodyOptions GearCase::body_of(const GearMember &gear, const unsigned int b) const
   {
-    return members_[b].body.with_open_sizes(gear.blank());
+    return with_open_sizes(members_[b].body, gear.blank());
   }
 
   Table GearCase::meridian_table() const

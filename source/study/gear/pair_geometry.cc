@@ -4,6 +4,7 @@
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/base/types.h>
 #include <vfife/gear/spiral_bevel/gear_pair_options.h>
+#include <vfife/mesh/gear/gear_body_sizes.h>
 #include <vfife/study/gear/pair_geometry.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -106,7 +107,7 @@ namespace vfife
                  {"gear", name_of(o.gear.blank.hand), list_member(o.gear, o.gear)}}};
     if (bodies)
       for (unsigned int b = 0; b < 2; ++b)
-        add_body((*bodies)[b].with_open_sizes(b == 0 ? o.pinion.blank : o.gear.blank),
+        add_body(with_open_sizes((*bodies)[b], b == 0 ? o.pinion.blank : o.gear.blank),
                  members_[b].figures);
     const Blank &gear = o.gear.blank;
     pair_             = {{"outer transverse module",

@@ -71,6 +71,9 @@ namespace vfife
      * cradle's axis is normal to the root cone. */
     double conjugate_ratio_of_roll(double pitch_angle) const;
 
+    /** Apex of the blank in the machine frame [mm]. */
+    Vector3 apex() const;
+
     /** Direction about which the cutter is tilted with the cradle in the mean position (machine
      * frame). */
     Vector3 tilt_direction() const;

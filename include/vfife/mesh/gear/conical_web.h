@@ -65,6 +65,8 @@ namespace vfife
                const WebShape     &shape,
                double              toe_root_height,
                double              heel_root_height);
+    /** Between root lands at the dedendum of the blank. */
+    ConicalWeb(const BlankOutline &blank, const WebShape &shape);
 
     /** dL/d(depth) of the mitre, the depth counted along -h under the root; 0 for the underside. */
     double mitre_slope() const;

@@ -3,7 +3,7 @@
 #define vfife_mesh_gear_flank_surface_h
 
 #include <vfife/base/facet_surface.h>
-#include <vfife/mesh/gear/gear_sector.h>
+#include <vfife/mesh/gear/sector/gear_sector.h>
 
 #include <vector>
 

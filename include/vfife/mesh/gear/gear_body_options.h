@@ -24,8 +24,8 @@ namespace vfife
   };
 
   /**
-   * Body under the teeth and number of cells. The defaults are those of the gear of the full mesh
-   * (doc/theory/mesh.md); a pinion starts from pinion_body_defaults().
+   * Body under the teeth and number of cells, as they are given. The defaults are those of the gear
+   * of the full mesh (doc/theory/mesh.md); a pinion starts from pinion_body_defaults().
    */
   struct GearBodyOptions : WebShape
   {
@@ -65,15 +65,6 @@ namespace vfife
     /** Declares the subsections Body, Mesh and Shaft in the current section. */
     void declare(dealii::ParameterHandler &prm);
 
-    /** Throws InputError (entries under @p section, e.g. "Gear pair/Gear") when sizes contradict
-     * each other or @p blank. Whether the shaft goes with the true body check_gear_shaft() knows.
-     */
-    void check(const std::string &section, const BlankOutline &blank) const;
-
-    /** The same with the counts that the element size asks for, each at least as small as check()
-     * allows; unchanged where no size is given. */
-    GearBodyOptions with_counts_of_size(const GearGeometry &gear) const;
-
     /** Columns of cells of a sector's rim: across the tooth, and two on either side for fillet and
      * root land. */
     unsigned int columns() const
@@ -96,25 +87,13 @@ namespace vfife
                                  GearBodyOptions          &gear,
                                  bool                      has_numbers);
 
-    /** Leaves the sizes of the body open, to follow from the blank: web, rim, hub, bore. */
+    /** Leaves the sizes of the body open, to follow from the blank (with_open_sizes()): web, rim,
+     * hub, bore. */
     void leave_sizes_open();
 
-    /**
-     * The same with the sizes that are open (0), in tenths of a millimetre and in the proportions
-     * of the reference pair 27/79, whose own come out: thicknesses of web and rim 1.587 and 2.7
-     * outer transverse modules; hub radius and length 0.632 and 0.379 of the root's radius at the
-     * toe, the hub at least a fifth longer than the web's foot on it; the bore 5/6 of the hub
-     * radius, or 0.64 of that radius of a solid body. An element size that is open follows from
-     * edge_in_modules.
-     */
-    GearBodyOptions with_open_sizes(const BlankOutline &blank) const;
-
   private:
-    /** Length along the axis that the web takes on the hub with its fillets; 0 without a web [mm].
-     */
-    double foot_on_hub(const BlankOutline &blank) const;
-    void   declare_counts(dealii::ParameterHandler &prm);
-    void   declare_gradings(dealii::ParameterHandler &prm);
+    void declare_counts(dealii::ParameterHandler &prm);
+    void declare_gradings(dealii::ParameterHandler &prm);
   };
 
   /** A pinion of the full mesh: solid down to a bore of 20 mm. */

@@ -3,7 +3,7 @@
 #define vfife_mesh_gear_gear_manifolds_h
 
 #include <vfife/gear/gear_geometry.h>
-#include <vfife/mesh/gear/gear_sector.h>
+#include <vfife/mesh/gear/sector/gear_sector.h>
 
 #include <deal.II/grid/manifold.h>
 

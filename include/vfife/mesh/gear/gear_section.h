@@ -67,6 +67,10 @@ namespace vfife
                                                  double              grading = 1.,
                                                  double fillet_corner = default_fillet_corner);
 
+  /** Centre of the slot below the tooth at L: linear between such sections, continued beyond the
+   * ends [rad]. */
+  double left_angle_at(const std::vector<GearSection> &sections, double L);
+
   /** (h, angle) of a position; of all polar angles the one nearest to @p near_angle. */
   Vector2 section_coordinates(const BlankOutline &blank, const Vector3 &x, double near_angle);
 

@@ -2,7 +2,7 @@
 #ifndef vfife_mesh_gear_refined_sector_h
 #define vfife_mesh_gear_refined_sector_h
 
-#include <vfife/mesh/gear/gear_sector.h>
+#include <vfife/mesh/gear/sector/gear_sector.h>
 
 namespace vfife
 {

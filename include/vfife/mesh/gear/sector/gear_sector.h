@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_mesh_gear_gear_sector_h
-#define vfife_mesh_gear_gear_sector_h
+#ifndef vfife_mesh_gear_sector_gear_sector_h
+#define vfife_mesh_gear_sector_gear_sector_h
 
 #include <vfife/gear/gear_geometry.h>
 #include <vfife/mesh/body_mesh.h>

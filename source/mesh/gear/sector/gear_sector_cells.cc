@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
-#include <vfife/mesh/gear/gear_sector_cells.h>
+#include <vfife/mesh/gear/sector/gear_sector_cells.h>
 
 #include <Eigen/LU>
 

@@ -1,11 +1,10 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_mesh_gear_gear_shaft_builder_h
-#define vfife_mesh_gear_gear_shaft_builder_h
+#ifndef vfife_mesh_gear_sector_gear_shaft_builder_h
+#define vfife_mesh_gear_sector_gear_shaft_builder_h
 
-#include <vfife/mesh/gear/gear_body_options.h>
-#include <vfife/mesh/gear/gear_sector_cells.h>
+#include <vfife/mesh/gear/gear_shaft_options.h>
+#include <vfife/mesh/gear/sector/gear_sector_cells.h>
 
-#include <string>
 #include <vector>
 
 namespace vfife
@@ -59,15 +58,6 @@ namespace vfife
     std::vector<NodeLayer> nodes_; ///< [circle][line][column]; no columns where not made
     NodeLayer              inner_; ///< of the row that joins columns, [line]
   };
-
-  /**
-   * Whether the shaft goes with the body: one section through the hub, as thick as the bore, and
-   * all others apart from hub, web, rim and teeth. Throws InputError of the entry "sections" under
-   * @p section (e.g. "Gear pair/Pinion/Shaft"). Nothing to check without a shaft.
-   */
-  void check_gear_shaft(const std::string     &section,
-                        const GearGeometry    &gear,
-                        const GearBodyOptions &options);
 } // namespace vfife
 
 #endif

@@ -1,8 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_mesh_gear_gear_sector_cells_h
-#define vfife_mesh_gear_gear_sector_cells_h
+#ifndef vfife_mesh_gear_sector_gear_sector_cells_h
+#define vfife_mesh_gear_sector_gear_sector_cells_h
 
-#include <vfife/mesh/gear/gear_sector.h>
+#include <vfife/mesh/gear/sector/gear_sector.h>
 
 #include <functional>
 #include <string>

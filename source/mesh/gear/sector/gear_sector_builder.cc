@@ -1,12 +1,14 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
-#include <vfife/mesh/gear/gear_sector_builder.h>
-#include <vfife/mesh/gear/gear_shaft_builder.h>
 #include <vfife/mesh/gear/grading.h>
+#include <vfife/mesh/gear/sector/gear_sector_builder.h>
+#include <vfife/mesh/gear/sector/gear_shaft_builder.h>
+#include <vfife/mesh/gear/sector/gear_web_builder.h>
 #include <vfife/mesh/node_set_names.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vfife
 {
@@ -68,16 +70,20 @@ namespace vfife
     cells_.enter(GearRegion::rim);
     add_rim();
     add_surface_layer();
-    cells_.enter(GearRegion::web);
+    WebFillets web_fillets;
     if (at_toe_ || at_underside_)
-      add_web();
+      {
+        GearWebBuilder web(options_, web_, sections_, cells_);
+        bore_       = web.add(web_foot());
+        web_fillets = web.fillets();
+      }
     add_named_ends();
     if (options_.shaft.present())
       GearShaftBuilder(options_.shaft, cells_, bore_).add();
     add_flank_grid(FlankSide::concave);
     add_flank_grid(FlankSide::convex);
     GearSector sector  = cells_.finish();
-    sector.web_fillets = web_fillets_;
+    sector.web_fillets = std::move(web_fillets);
     return sector;
   }
 
@@ -186,7 +192,7 @@ namespace vfife
         return position_of(blank,
                            L,
                            (1. - part) * section.root_height + part * bottom[1],
-                           left_angle_at(L) + angle);
+                           left_angle_at(sections_, L) + angle);
       }
     // Straight down (along -h), or leaning by the mitre at the toe, less and less towards the heel.
     const double to_heel = double(i) / options_.cells_lengthwise;
@@ -215,18 +221,6 @@ namespace vfife
                      (options_.cells_lengthwise - last);
   }
 
-  double GearSectorBuilder::left_angle_at(const double L) const
-  {
-    // linear between the sections next to L, continued beyond the ends
-    const double along = (L - sections_.front().cone_distance) /
-                         (sections_.back().cone_distance - sections_.front().cone_distance) *
-                         options_.cells_lengthwise;
-    const auto i = static_cast<unsigned int>(
-      std::min(options_.cells_lengthwise - 1., std::max(0., std::floor(along))));
-    return sections_[i].left_angle +
-           (along - i) * (sections_[i + 1].left_angle - sections_[i].left_angle);
-  }
-
   void GearSectorBuilder::add_rim()
   {
     const unsigned int rows = options_.rim_rows, columns = options_.columns();
@@ -247,6 +241,95 @@ namespace vfife
       }
     for (unsigned int i = 0; i + 1 < sections_.size(); ++i)
       cells_.add_row(rim_[i], rim_[i + 1]);
+  }
+
+  NodeLayer GearSectorBuilder::web_foot() const
+  {
+    const unsigned int layers = options_.web_layers;
+    if (at_toe_)
+      {
+        const auto first = rim_.front().begin() + rows_above_web();
+        return NodeLayer(first, first + layers + 1);
+      }
+    // the lowest rows of the sections that stand between the web's faces
+    NodeLayer foot;
+    for (unsigned int layer = 0; layer <= layers; ++layer)
+      foot.push_back(rim_[first_web_section() + layer].back());
+    return foot;
+  }
+
+  std::vector<unsigned int> GearSectorBuilder::SurfaceNodes::around_tooth() const
+  {
+    // The corners of the tip are ends of both profiles.
+    std::vector<unsigned int> nodes(lower.begin() + 1, lower.end());
+    nodes.insert(nodes.end(), tip.begin() + 1, tip.end() - 1);
+    nodes.insert(nodes.end(), upper.rbegin(), upper.rend() - 1);
+    return nodes;
+  }
+
+  std::vector<unsigned int> GearSectorBuilder::SurfaceNodes::above() const
+  {
+    return {upper[1], upper[0], GearSector::next_sector(slot)};
+  }
+
+  GearSectorBuilder::SurfaceNodes GearSectorBuilder::outline_of_blocks(const unsigned int i) const
+  {
+    const auto  &root = rim_[i].front();
+    SurfaceNodes nodes;
+    nodes.slot  = root[0];
+    nodes.lower = {root[1]};
+    nodes.upper = {root[options_.columns() - 1]};
+    for (const auto &row : tooth_[i])
+      {
+        nodes.lower.push_back(row.front());
+        nodes.upper.push_back(row.back());
+      }
+    nodes.tip = tooth_[i].back();
+    return nodes;
+  }
+
+  GearSectorBuilder::SurfaceNodes GearSectorBuilder::make_surface_nodes(const unsigned int i)
+  {
+    const GearSection &section = sections_[i];
+    const auto         add     = [&](const Vector2 &point) {
+      return cells_.add_node(position_of(gear_.blank(), section.cone_distance, point[0], point[1]));
+    };
+    SurfaceNodes nodes;
+    nodes.slot = add({section.root_height, section.left_angle});
+    for (const Vector2 &point : section.lower)
+      nodes.lower.push_back(add(point));
+    for (const Vector2 &point : section.upper)
+      nodes.upper.push_back(add(point));
+    nodes.tip = {nodes.lower.back()};
+    for (unsigned int c = 1; c < options_.cells_across; ++c)
+      nodes.tip.push_back(add(tooth_point(section, options_.flank_rows + 1, c)));
+    nodes.tip.push_back(nodes.upper.back());
+    return nodes;
+  }
+
+  void GearSectorBuilder::add_surface_layer()
+  {
+    std::vector<SurfaceNodes> blocks;
+    for (unsigned int i = 0; i < sections_.size(); ++i)
+      blocks.push_back(outline_of_blocks(i));
+    if (!(options_.surface_layer > 0.))
+      {
+        surface_ = blocks;
+        return;
+      }
+    for (unsigned int i = 0; i < sections_.size(); ++i)
+      surface_.push_back(make_surface_nodes(i));
+    for (unsigned int i = 0; i + 1 < sections_.size(); ++i)
+      {
+        const SurfaceNodes &outer = surface_[i], &next_outer = surface_[i + 1];
+        const SurfaceNodes &inner = blocks[i], &next_inner = blocks[i + 1];
+        cells_.enter(GearRegion::rim);
+        cells_.add_row({outer.below(), inner.below()}, {next_outer.below(), next_inner.below()});
+        cells_.add_row({outer.above(), inner.above()}, {next_outer.above(), next_inner.above()});
+        cells_.enter(GearRegion::tooth);
+        cells_.add_row({outer.around_tooth(), inner.around_tooth()},
+                       {next_outer.around_tooth(), next_inner.around_tooth()});
+      }
   }
 
   void GearSectorBuilder::add_named_ends()

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/mesh/gear/gear_meridian.h>
-#include <vfife/mesh/gear/gear_shaft_builder.h>
+#include <vfife/mesh/gear/gear_shaft_check.h>
 
 #include <boost/geometry/algorithms/append.hpp>
 #include <boost/geometry/algorithms/correct.hpp>

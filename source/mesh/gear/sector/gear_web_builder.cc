@@ -1,5 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/mesh/gear/gear_sector_builder.h>
+#include <vfife/mesh/gear/sector/gear_web_builder.h>
 #include <vfife/mesh/node_set_names.h>
 
 #include <algorithm>
@@ -7,20 +7,31 @@
 
 namespace vfife
 {
-  double GearSectorBuilder::web_angle(const double       u,
-                                      const unsigned int layer,
-                                      const double       fraction) const
+  GearWebBuilder::GearWebBuilder(const GearBodyOptions          &options,
+                                 const ConicalWeb               &web,
+                                 const std::vector<GearSection> &sections,
+                                 GearSectorCells                &cells)
+    : options_(options)
+    , web_(web)
+    , sections_(sections)
+    , cells_(cells)
+  {
+  }
+
+  double
+  GearWebBuilder::angle_at(const double u, const unsigned int layer, const double fraction) const
   {
     // At the toe all sections start from one spiral angle; on the underside each layer starts from
     // its own, which goes linearly on the way to the hub.
-    const double across = fraction * gear_.pitch();
-    if (at_toe_)
+    const double across = fraction * sections_.front().pitch;
+    if (options_.web_attachment == WebAttachment::toe)
       return sections_.front().left_angle + across;
     const double own = web_.wall_place(double(layer) / options_.web_layers);
-    return (1. - u) * left_angle_at(own) + u * left_angle_at(web_.wall_place(.5)) + across;
+    return (1. - u) * left_angle_at(sections_, own) +
+           u * left_angle_at(sections_, web_.wall_place(.5)) + across;
   }
 
-  double GearSectorBuilder::foot_dip(const double x) const
+  double GearWebBuilder::foot_dip(const double x) const
   {
     // Without it cells where a fillet is tangent to the hub have a corner without an angle.
     constexpr double of_foot = .15, of_row = .5;
@@ -30,8 +41,7 @@ namespace vfife
     return std::min(of_foot * web_.foot_on_hub(), of_row * row) * 4. * x * (1. - x);
   }
 
-  Vector3
-  GearSectorBuilder::web_point(const double u, const unsigned int layer, const double angle) const
+  Vector3 GearWebBuilder::point(const double u, const unsigned int layer, const double angle) const
   {
     const double x   = double(layer) / options_.web_layers;
     Vector2      r_z = web_.point(u, x);
@@ -40,52 +50,37 @@ namespace vfife
     return {r_z[0] * std::cos(angle), r_z[0] * std::sin(angle), r_z[1]};
   }
 
-  NodeLayer GearSectorBuilder::make_web_nodes(const double u, const unsigned int columns)
+  NodeLayer GearWebBuilder::make_nodes(const double u, const unsigned int columns)
   {
     NodeLayer nodes(options_.web_layers + 1, std::vector<unsigned int>(columns + 1));
     for (unsigned int layer = 0; layer <= options_.web_layers; ++layer)
       {
         for (unsigned int c = 0; c < columns; ++c)
           nodes[layer][c] =
-            cells_.add_node(web_point(u, layer, web_angle(u, layer, double(c) / columns)));
+            cells_.add_node(point(u, layer, angle_at(u, layer, double(c) / columns)));
         nodes[layer][columns] = GearSector::next_sector(nodes[layer][0]);
       }
     return nodes;
   }
 
-  void GearSectorBuilder::add_coarsening_row(const NodeLayer &rim_side,
-                                             const NodeLayer &hub_side,
-                                             const double     u)
+  void GearWebBuilder::add_coarsening_row(const NodeLayer &rim_side,
+                                          const NodeLayer &hub_side,
+                                          const double     u)
   {
     // Between the columns of the rim, not yet equally wide, and those of the web.
     const auto place = [&](const unsigned int layer, const unsigned int column) {
       const Vector3 x = cells_.position(rim_side[layer][column]);
       const double  even =
-        web_angle(u, layer, (column / 3 + column % 3 / 3.) / (options_.columns() / 3));
+        angle_at(u, layer, (column / 3 + column % 3 / 3.) / (options_.columns() / 3));
       const double angle = even + .5 * std::remainder(polar_angle(x) - even, 2. * pi);
-      return web_point(u, layer, angle);
+      return point(u, layer, angle);
     };
     const NodeLayer inner = cells_.add_coarsening_row(rim_side, hub_side, place);
     cells_.add_to_set(node_set::web_front, NodeLayer{inner.front()});
     cells_.add_to_set(node_set::web_back, NodeLayer{inner.back()});
   }
 
-  NodeLayer GearSectorBuilder::web_foot() const
-  {
-    const unsigned int layers = options_.web_layers;
-    if (at_toe_)
-      {
-        const auto first = rim_.front().begin() + rows_above_web();
-        return NodeLayer(first, first + layers + 1);
-      }
-    // the lowest rows of the sections that stand between the web's faces
-    NodeLayer foot;
-    for (unsigned int layer = 0; layer <= layers; ++layer)
-      foot.push_back(rim_[first_web_section() + layer].back());
-    return foot;
-  }
-
-  std::vector<double> GearSectorBuilder::web_stations(unsigned int &coarsening) const
+  std::vector<double> GearWebBuilder::make_stations(unsigned int &coarsening) const
   {
     // Fillet at the rim, straight part with the coarsening row first, fillet at the hub.
     const unsigned int  rows  = options_.web_rows;
@@ -95,9 +90,10 @@ namespace vfife
       for (unsigned int row = 1; row <= options_.fillet_rows; ++row)
         stations.push_back(start * row / options_.fillet_rows);
 
-    coarsening               = options_.coarsens() ? stations.size() : 0;
-    const double group_width = 3. * gear_.pitch() * web_.point(0., .5)[0] / options_.columns();
-    const double straight    = (stop - start) * web_.length();
+    coarsening = options_.coarsens() ? stations.size() : 0;
+    const double group_width =
+      3. * sections_.front().pitch * web_.point(0., .5)[0] / options_.columns();
+    const double straight = (stop - start) * web_.length();
     const double first =
       coarsening > 0 ? std::min(.5, coarsening_row_length * group_width / straight) : 1. / rows;
     for (unsigned int row = 1; row <= rows; ++row)
@@ -112,7 +108,7 @@ namespace vfife
     return stations;
   }
 
-  void GearSectorBuilder::add_web_faces(const NodeLayer &nodes)
+  void GearWebBuilder::add_faces(const NodeLayer &nodes)
   {
     // First and last layer are the web's faces.
     cells_.add_to_set(node_set::web_front, NodeLayer{nodes.front()});
@@ -122,7 +118,7 @@ namespace vfife
         if (!arc.contains(cells_.position(line.front())))
           return;
         cells_.add_to_set(name, NodeLayer{line});
-        web_fillets_[name] = arc;
+        fillets_[name] = arc;
       };
     add_fillet(node_set::rim_fillet_front, web_.rim_fillet(0), nodes.front());
     add_fillet(node_set::hub_fillet_front, web_.hub_fillet(0), nodes.front());
@@ -130,34 +126,35 @@ namespace vfife
     add_fillet(node_set::hub_fillet_back, web_.hub_fillet(1), nodes.back());
   }
 
-  void GearSectorBuilder::add_web()
+  NodeLayer GearWebBuilder::add(const NodeLayer &foot)
   {
+    cells_.enter(GearRegion::web);
     unsigned int              coarsening = 0;
-    const std::vector<double> stations   = web_stations(coarsening);
-    NodeLayer                 previous   = web_foot();
+    const std::vector<double> stations   = make_stations(coarsening);
+    NodeLayer                 previous   = foot;
     unsigned int              columns    = options_.columns();
 
-    add_web_faces(previous);
+    add_faces(previous);
     for (unsigned int row = 1; row < stations.size(); ++row)
       {
         const double u = stations[row], last = stations[row - 1];
         if (row == coarsening)
           columns /= 3;
-        const NodeLayer next = make_web_nodes(u, columns);
+        const NodeLayer next = make_nodes(u, columns);
         if (row == coarsening)
           add_coarsening_row(previous, next, last + coarsening_row_place * (u - last));
         else
           cells_.add_row(previous, next);
-        add_web_faces(next);
+        add_faces(next);
         previous = next;
       }
     // node A: in the middle of the sector where the faces meet the hub
     cells_.add_to_set(node_set::node_A_front, previous.front()[columns / 2]);
     cells_.add_to_set(node_set::node_A_back, previous.back()[columns / 2]);
-    add_hub(previous);
+    return add_hub(previous);
   }
 
-  void GearSectorBuilder::add_hub(const NodeLayer &web_end)
+  NodeLayer GearWebBuilder::add_hub(const NodeLayer &web_end)
   {
     cells_.enter(GearRegion::hub);
     const unsigned int layers = options_.web_layers, side = options_.hub_side_cells;
@@ -187,7 +184,7 @@ namespace vfife
             const bool on_web = row == 0 && line >= side && line <= side + layers;
             for (unsigned int c = 0; c < columns; ++c)
               {
-                const double angle = web_angle(1., 0, double(c) / columns);
+                const double angle = angle_at(1., 0, double(c) / columns);
                 nodes[line][c] =
                   on_web
                     ? web_end[line - side][c]
@@ -202,6 +199,6 @@ namespace vfife
           cells_.add_row(previous, nodes);
         previous = nodes;
       }
-    bore_ = previous;
+    return previous;
   }
 } // namespace vfife

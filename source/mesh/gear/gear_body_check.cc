@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
-#include <vfife/base/parameters/parameters.h>
-#include <vfife/mesh/gear/gear_body_options.h>
+#include <vfife/mesh/gear/gear_body_check.h>
 #include <vfife/mesh/mesh_size.h>
 
 #include <algorithm>
@@ -145,7 +144,7 @@ namespace vfife
 
       // its foot must fit on the wall: the depth of the rim at the toe, the underside elsewhere
       const double     inner = blank.inner_cone_distance(), outer = blank.outer_cone_distance;
-      const ConicalWeb web(blank, options, -blank.dedendum(inner), -blank.dedendum(outer));
+      const ConicalWeb web(blank, options);
       const double     first = web.wall_place(0.), last = web.wall_place(1.);
       if (at_toe)
         refuse.unless(first >= least_free_part * options.rim_thickness &&
@@ -180,48 +179,53 @@ namespace vfife
     }
   } // namespace
 
-  void GearBodyOptions::check(const std::string &section, const BlankOutline &blank) const
+  void check_gear_body(const std::string     &section,
+                       const GearBodyOptions &options,
+                       const BlankOutline    &blank)
   {
     const Refusal refuse(section);
-    shaft.check(section + "/Shaft");
-    refuse.unless(!shaft.present() || web != WebKind::none,
+    options.shaft.check(section + "/Shaft");
+    refuse.unless(!options.shaft.present() || options.web != WebKind::none,
                   "Shaft/sections",
                   "a shaft requires body type = conical web or solid, because a body with rim only "
                   "has no bore");
-    if (shaft.present())
+    if (options.shaft.present())
       {
-        GearBodyOptions bare = *this;
+        GearBodyOptions bare = options;
         bare.shaft           = {};
-        check_mesh_size(section + "/Shaft", n_cells(blank.teeth) - bare.n_cells(blank.teeth));
+        check_mesh_size(section + "/Shaft",
+                        options.n_cells(blank.teeth) - bare.n_cells(blank.teeth));
       }
-    refuse.unless(element_size == 0. || element_size >= least_size_part * blank.face_width,
+    refuse.unless(options.element_size == 0. ||
+                    options.element_size >= least_size_part * blank.face_width,
                   "Mesh/element size",
-                  millimetres(element_size) + " is too small, expected at least " +
+                  millimetres(options.element_size) + " is too small, expected at least " +
                     millimetres(least_size_part * blank.face_width));
-    if (element_size == 0.)
+    if (options.element_size == 0.)
       {
-        check_counts(*this, refuse);
-        check_mesh_size(section + "/Mesh", n_cells(blank.teeth));
+        check_counts(options, refuse);
+        check_mesh_size(section + "/Mesh", options.n_cells(blank.teeth));
       }
 
     const double L = blank.inner_cone_distance();
     // under the root: the bore of a solid body, or a rim that does not reach the axis
     const Vector2 inner = root_point(blank, L);
-    if (web == WebKind::solid)
+    if (options.web == WebKind::solid)
       {
-        refuse.unless(bore_radius > 0. && bore_radius < inner[0],
+        refuse.unless(options.bore_radius > 0. && options.bore_radius < inner[0],
                       "Body/bore radius",
-                      millimetres(bore_radius) +
+                      millimetres(options.bore_radius) +
                         " must be positive and smaller than the root at the toe, " +
                         millimetres(inner[0]));
         return;
       }
-    const double underside = blank.meridian_point({L, -blank.dedendum(L) - rim_thickness})[0];
-    refuse.unless(rim_thickness > 0., "Body/rim thickness", "must be positive");
+    const double underside =
+      blank.meridian_point({L, -blank.dedendum(L) - options.rim_thickness})[0];
+    refuse.unless(options.rim_thickness > 0., "Body/rim thickness", "must be positive");
     refuse.unless(underside > 0.,
                   "Body/rim thickness",
-                  millimetres(rim_thickness) + " reaches the axis at the toe");
-    if (web == WebKind::conical)
-      check_conical(*this, blank, refuse);
+                  millimetres(options.rim_thickness) + " reaches the axis at the toe");
+    if (options.web == WebKind::conical)
+      check_conical(options, blank, refuse);
   }
 } // namespace vfife

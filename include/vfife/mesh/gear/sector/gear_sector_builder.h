@@ -1,11 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_mesh_gear_gear_sector_builder_h
-#define vfife_mesh_gear_gear_sector_builder_h
+#ifndef vfife_mesh_gear_sector_gear_sector_builder_h
+#define vfife_mesh_gear_sector_gear_sector_builder_h
 
 #include <vfife/mesh/gear/conical_web.h>
 #include <vfife/mesh/gear/gear_body_options.h>
 #include <vfife/mesh/gear/gear_section.h>
-#include <vfife/mesh/gear/gear_sector_cells.h>
+#include <vfife/mesh/gear/sector/gear_sector_cells.h>
 
 #include <vector>
 
@@ -53,12 +53,6 @@ namespace vfife
     void         add_flank_grid(FlankSide side);
     void         add_named_ends();
 
-    void      add_web();
-    void      add_web_faces(const NodeLayer &nodes);
-    NodeLayer make_web_nodes(double u, unsigned int columns);
-    void      add_coarsening_row(const NodeLayer &rim_side, const NodeLayer &hub_side, double u);
-    void      add_hub(const NodeLayer &web_end);
-
     Vector2 tooth_point(const GearSection &section, unsigned int row, unsigned int column) const;
     Vector2 rim_top(const GearSection &section, unsigned int column) const;
     double  rim_depth(unsigned int i, unsigned int row) const;
@@ -67,19 +61,6 @@ namespace vfife
     unsigned int first_web_section() const;
     /** Cone distance of section i on the underside, which leaves room for the web there. */
     double underside_place(unsigned int i) const;
-    /** Centre of the slot below the tooth at L [rad]. */
-    double left_angle_at(double L) const;
-
-    /** Depth of the web's last row of nodes under the outside of the hub, at a fraction of the way
-     * through the web [mm]. */
-    double  foot_dip(double x) const;
-    Vector3 web_point(double u, unsigned int layer, double angle) const;
-    /** Angle of equally wide columns of a layer of the web, which loses the rim's spiral on the way
-     * to the hub. */
-    double web_angle(double u, unsigned int layer, double fraction) const;
-    /** Fractions u of the web's rows, from rim to hub; the row that coarsens ends at the place @p
-     * coarsening (0: none). */
-    std::vector<double> web_stations(unsigned int &coarsening) const;
     /** Nodes of the rim where the web starts. */
     NodeLayer web_foot() const;
 
@@ -95,7 +76,6 @@ namespace vfife
     std::vector<GearSection> inner_; ///< under the surface layer; without one the sections
     std::vector<double>      across_, rim_parts_; ///< places of columns, of rim rows where graded
     ConicalWeb               web_;                ///< used where the body has one
-    WebFillets               web_fillets_;        ///< found with the web's faces
     std::vector<NodeLayer>   tooth_, rim_;
 
     std::vector<SurfaceNodes> surface_; ///< of each section

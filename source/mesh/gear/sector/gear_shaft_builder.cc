@@ -1,5 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/mesh/gear/gear_shaft_builder.h>
+#include <vfife/mesh/gear/sector/gear_shaft_builder.h>
 #include <vfife/mesh/node_set_names.h>
 
 #include <algorithm>
