@@ -38,6 +38,11 @@ namespace vfife
     return 2. * mean_cone_distance * std::sin(pitch_angle) / teeth + 2. * origin[0] / teeth;
   }
 
+  double BlankOutline::outer_module() const
+  {
+    return circular_pitch(outer_cone_distance) / pi;
+  }
+
   Vector2 BlankOutline::cone_coordinates(const Vector2 &r_z) const
   {
     return cone_direction(r_z - origin);

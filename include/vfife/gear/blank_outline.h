@@ -59,6 +59,8 @@ namespace vfife
     /** Transverse module in the middle: diameter of the pitch circle over the number of teeth [mm].
      */
     double mean_module() const;
+    /** The same at the heel. */
+    double outer_module() const;
 
     /** (L, h) of a point of the meridian plane (r, z). */
     Vector2 cone_coordinates(const Vector2 &r_z) const;

@@ -1,6 +1,4 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// The part of GearCase that finds what a user will not expect; doc/reference/kinds.md lists the
-// checks.
 #include <vfife/base/errors.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/figure_text.h>
@@ -9,9 +7,10 @@
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/output/output_options.h>
 #include <vfife/study/cases/contact_resolution.h>
-#include <vfife/study/cases/gear_case.h>
+#include <vfife/study/cases/gear/gear_conflicts.h>
 #include <vfife/study/cases/torque_pressure.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vfife
@@ -19,14 +18,14 @@ namespace vfife
   namespace
   {
     /** A sentence, or nothing where all is well or the study has not what is looked at. */
-    using Check = std::string (*)(const GearCase &gear_case, const RunPlan &plan);
+    using Check = std::string (*)(const GearFacts &gears, const RunPlan &plan);
 
-    std::string check_damping(const GearCase &gear_case, const RunPlan &plan)
+    std::string check_damping(const GearFacts &gears, const RunPlan &plan)
     {
       if (plan.dynamics == nullptr)
         return "";
       const double largest = std::max(plan.dynamics->mass_damping(), plan.dynamics->mesh_damping),
-                   limit   = PairCase::recommended_damping * gear_case.ring_rate();
+                   limit   = PairCase::recommended_damping * gears.pair_case.ring_rate();
       if (!(largest > limit))
         return "";
       return sentence_of(4,
@@ -37,7 +36,7 @@ namespace vfife
                          " 1/s: it distorts the static deflection pattern and the compliance");
     }
 
-    std::string check_damping_rate(const GearCase &, const RunPlan &plan)
+    std::string check_damping_rate(const GearFacts &, const RunPlan &plan)
     {
       if (plan.dynamics == nullptr || plan.dynamics->damping_rate == DampingRate::momentum ||
           !(plan.dynamics->mass_damping() > 0))
@@ -46,25 +45,25 @@ namespace vfife
              "of summary.json states it";
     }
 
-    std::string check_ramp(const GearCase &gear_case, const RunPlan &plan)
+    std::string check_ramp(const GearFacts &gears, const RunPlan &plan)
     {
-      const OperationOptions &operation = gear_case.operation();
+      const OperationOptions &operation = gears.pair_case.operation();
       if (plan.dynamics == nullptr || plan.dynamics->start != Start::ramp)
         return "";
       if (operation.ramp == 0)
         return "start = ramp with ramp = 0 is a step of the torque: the contact force overshoots "
                "and the flanks may separate";
-      if (operation.ramp >= gear_case.run_meshes())
+      if (operation.ramp >= gears.pair_case.run_meshes())
         return sentence_of(4,
                            "the ramp of ",
                            operation.ramp,
                            " mesh cycles does not end within the run of ",
-                           gear_case.run_meshes(),
+                           gears.pair_case.run_meshes(),
                            ": no steady part is possible");
       return "";
     }
 
-    std::string check_flank(const GearCase &, const RunPlan &plan)
+    std::string check_flank(const GearFacts &, const RunPlan &plan)
     {
       if (plan.model == nullptr)
         return "";
@@ -79,13 +78,13 @@ namespace vfife
                        "direction: the load torque opens them";
     }
 
-    std::string check_hertz(const GearCase &gear_case, const RunPlan &plan)
+    std::string check_hertz(const GearFacts &gears, const RunPlan &plan)
     {
       if (plan.model == nullptr)
         return "";
       const Model &model = *plan.model;
       // Two smaller semi-axes.
-      const double width = 2 * TorquePressure(gear_case.hertz_contact(), model).semi_axes[1];
+      const double width = 2 * TorquePressure(gears.pair_case.hertz_contact(), model).semi_axes[1];
       const ContactResolution seen(model, model.contacts.front(), width);
       if (seen.has_single_points())
         return seen.describe_points("the Hertzian contact");
@@ -101,20 +100,19 @@ namespace vfife
       return "";
     }
 
-    std::string check_pressure(const GearCase &gear_case, const RunPlan &)
+    std::string check_pressure(const GearFacts &gears, const RunPlan &)
     {
-      return gear_case.find_excess_of_pressure();
+      return gears.excess_of_pressure;
     }
 
-    std::string check_path(const GearCase &gear_case, const RunPlan &plan)
+    std::string check_path(const GearFacts &gears, const RunPlan &plan)
     {
       // Without a mesh it is a tooth contact analysis, which looks at the path itself.
       if (plan.model == nullptr)
         return "";
       try
         {
-          const GearPair pair = gear_case.make_pair();
-          UnloadedContact(pair, gear_case.working_side()).path_range();
+          UnloadedContact(gears.pair, gears.side).path_range();
         }
       catch (const NumericalError &error)
         {
@@ -123,11 +121,11 @@ namespace vfife
       return "";
     }
 
-    std::string check_spin(const GearCase &gear_case, const RunPlan &)
+    std::string check_spin(const GearFacts &gears, const RunPlan &)
     {
       // Of steels 1000 MPa: the strongest gears carry no more, teeth and web on the rim left out.
       constexpr double limit  = 0.005;
-      const double     strain = gear_case.ring_strain();
+      const double     strain = gears.ring_strain;
       if (strain <= limit)
         return "";
       return sentence_of(4,
@@ -136,16 +134,16 @@ namespace vfife
                          " % at this speed, more than any gear body withstands");
     }
 
-    std::string check_hub(const GearCase &gear_case, const RunPlan &)
+    std::string check_hub(const GearFacts &gears, const RunPlan &)
     {
-      if (gear_case.has_web() || gear_case.operation().hub != HubKind::free_rotation)
+      if (gears.has_web || gears.pair_case.operation().hub != HubKind::free_rotation)
         return "";
       return "body type = rim only with bore rotation = per node: the underside of the rim is "
              "guided "
              "radially and axially, and each node rotates independently";
     }
 
-    std::string check_step(const GearCase &, const RunPlan &plan)
+    std::string check_step(const GearFacts &, const RunPlan &plan)
     {
       // Whole steps from sample to sample cost little, unless samples are a few steps apart: then
       // the user can have the time back.
@@ -164,21 +162,21 @@ namespace vfife
       return "";
     }
 
-    std::string check_fields(const GearCase &gear_case, const RunPlan &plan)
+    std::string check_fields(const GearFacts &gears, const RunPlan &plan)
     {
       // Fields are those of explicit runs, [mesh cycles] as their length.
       const double every = plan.step > 0 ? plan.output->fields_every : 0.;
-      if (every <= gear_case.run_meshes())
+      if (every <= gears.pair_case.run_meshes())
         return "";
       return sentence_of(4,
                          "field output interval = ",
                          every,
                          " is more than the run's ",
-                         gear_case.run_meshes(),
+                         gears.pair_case.run_meshes(),
                          " mesh cycles: fields are written at the start and the end only");
     }
 
-    std::string check_checkpoint(const GearCase &, const RunPlan &plan)
+    std::string check_checkpoint(const GearFacts &, const RunPlan &plan)
     {
       if (plan.expected_time < 3600 || plan.output->checkpoint_every > 0)
         return "";
@@ -186,7 +184,7 @@ namespace vfife
              " without checkpoints (Output/checkpoint interval)";
     }
 
-    std::string check_samples(const GearCase &, const RunPlan &plan)
+    std::string check_samples(const GearFacts &, const RunPlan &plan)
     {
       // A tooth pair's share of a mesh and its harmonics need some points.
       if (plan.output == nullptr || plan.output->history_every >= 10)
@@ -197,7 +195,7 @@ namespace vfife
                          " cannot resolve the ripple: use at least 10");
     }
 
-    std::string check_length(const GearCase &gear_case, const RunPlan &plan)
+    std::string check_length(const GearFacts &gears, const RunPlan &plan)
     {
       constexpr double month = 30. * 24 * 3600;
       if (!(plan.expected_time > month))
@@ -205,7 +203,7 @@ namespace vfife
       return sentence_of(
         4,
         "a mesh cycle has ",
-        std::round(1. / (gear_case.mesh_frequency() * plan.step)),
+        std::round(1. / (gears.pair_case.mesh_frequency() * plan.step)),
         " steps at this speed: use the loaded tooth contact analysis or a reduced pair "
         "for slow motion");
     }
@@ -226,22 +224,13 @@ namespace vfife
                                        &check_checkpoint};
   } // namespace
 
-  std::vector<std::string> GearCase::report_checks(const RunPlan &plan, Log &log) const
+  std::vector<std::string> report_conflicts(const GearFacts &gears, const RunPlan &plan, Log &log)
   {
-    if (driven_torque() > 0)
-      {
-        log.line("torque on the pinion ",
-                 1e-3 * torque_on(0),
-                 " N m, on the gear ",
-                 1e-3 * torque_on(1),
-                 " N m, without friction");
-        log.line(torque_pressure().describe());
-      }
     // Contradictions are said and not refused: a user may want just that.
     std::vector<std::string> found;
     for (const Check check : checks)
       {
-        const std::string sentence = check(*this, plan);
+        const std::string sentence = check(gears, plan);
         if (sentence.empty())
           continue;
         found.push_back(sentence);
@@ -250,20 +239,5 @@ namespace vfife
     if (found.empty())
       log.line("no input conflicts found");
     return found;
-  }
-
-  TorquePressure GearCase::torque_pressure() const
-  {
-    return {hertz_contact(), driven_torque() / make_transmission(make_pair()).arm};
-  }
-
-  std::string GearCase::find_excess_of_pressure() const
-  {
-    return driven_torque() > 0 ? torque_pressure().find_excess(operation_.pressure_limit) : "";
-  }
-
-  std::string GearCase::find_cause() const
-  {
-    return find_excess_of_pressure();
   }
 } // namespace vfife
