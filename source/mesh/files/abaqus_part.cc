@@ -14,6 +14,10 @@ namespace vfife
       return kind == AbaqusPart::ElementKind::hexahedron ? 8 : 4;
     }
 
+    /** Places of the corners of the faces S1 to S6 in the file's order. */
+    constexpr unsigned int corners_of_face[6][4] = {
+      {0, 1, 2, 3}, {4, 7, 6, 5}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}};
+
     bool begins(const std::string &text, const char *beginning)
     {
       return text.rfind(beginning, 0) == 0;
@@ -29,7 +33,7 @@ namespace vfife
   } // namespace
 
   AbaqusPart::AbaqusPart(AbaqusText &text)
-    : text_(text)
+    : AbaqusMesh(text)
   {
   }
 
@@ -55,24 +59,6 @@ namespace vfife
     else
       return false;
     return true;
-  }
-
-  AbaqusPart::Set &AbaqusPart::set_of(std::map<std::string, Set> &sets, const std::string &name)
-  {
-    Set &set = sets[abaqus_key(name)];
-    if (set.name.empty())
-      set.name = name;
-    return set;
-  }
-
-  void AbaqusPart::add_node(const unsigned long label, const Vector3 &place, const std::string &set)
-  {
-    if (!node_index_.emplace(label, nodes.size()).second)
-      text_.refuse("duplicate node " + std::to_string(label));
-    node_labels_.emplace(nodes.size(), label);
-    if (!set.empty())
-      set_of(node_sets, set).members.push_back(nodes.size());
-    nodes.push_back(place);
   }
 
   void AbaqusPart::read_nodes(const AbaqusKeyword &keyword)
@@ -186,46 +172,85 @@ namespace vfife
       text_.refuse("the element before has fewer than eight nodes");
   }
 
-  void AbaqusPart::add_element(const unsigned long              label,
-                               const ElementKind                kind,
-                               const std::vector<unsigned int> &of_nodes,
-                               const std::string               &set)
+  void AbaqusPart::read_set(const AbaqusKeyword &keyword, const bool of_nodes)
   {
-    if (!element_index_.emplace(label, elements.size()).second)
-      text_.refuse("duplicate element " + std::to_string(label));
-    if (!set.empty())
-      set_of(element_sets, set).members.push_back(elements.size());
-    elements.push_back({kind, of_nodes, text_.line(), label});
-  }
-
-  unsigned int AbaqusPart::node(const unsigned long label) const
-  {
-    const auto found = node_index_.find(label);
-    if (found == node_index_.end())
-      text_.refuse("node " + std::to_string(label) + " does not exist");
-    return found->second;
-  }
-
-  unsigned int AbaqusPart::node(const std::string &word) const
-  {
-    return node(text_.label(word));
-  }
-
-  void AbaqusPart::add_instance(const std::string &name,
-                                const AbaqusPart  &part,
-                                const RigidMotion &placement)
-  {
-    const unsigned int first_node = nodes.size(), first_element = elements.size();
-    if (!instances.emplace(abaqus_key(name), Instance{name, &part, first_node, first_element})
-           .second)
-      text_.refuse("duplicate instance " + shown(name));
-    for (const Vector3 &x : part.nodes)
-      nodes.push_back(placement(x));
-    for (Element element : part.elements)
+    text_.check_options(keyword, {"NSET", "ELSET", "GENERATE", "INSTANCE", "INTERNAL", "UNSORTED"});
+    const std::string name = keyword.value(of_nodes ? "NSET" : "ELSET");
+    if (name.empty())
+      text_.refuse("the name of the set is missing");
+    const Scope               scope = scope_of(keyword.value("INSTANCE"));
+    std::vector<unsigned int> members;
+    if (of_nodes && keyword.has("ELSET"))
       {
-        for (unsigned int &node : element.nodes)
-          node += first_node;
-        elements.push_back(std::move(element));
+        std::vector<unsigned int> of_set;
+        add_members(keyword.value("ELSET"), scope, false, of_set);
+        for (const unsigned int element : of_set)
+          members.insert(members.end(),
+                         elements[element].nodes.begin(),
+                         elements[element].nodes.end());
+      }
+    for (std::vector<std::string> words; text_.next_row(words);)
+      if (keyword.has("GENERATE"))
+        add_range(words, scope, of_nodes, members);
+      else
+        for (const std::string &word : words)
+          add_members(word, scope, of_nodes, members);
+    Set &set = set_of(of_nodes ? node_sets : element_sets, name);
+    set.members.insert(set.members.end(), members.begin(), members.end());
+    set.is_internal = keyword.has("INTERNAL");
+  }
+
+  void AbaqusPart::read_surface(const AbaqusKeyword &keyword)
+  {
+    // Offsets and thicknesses are of shells.
+    text_.check_options(
+      keyword, {"NAME", "TYPE", "INTERNAL", "MAXRATIO", "NOTHICK", "NOOFFSET", "SCALETHICK"});
+    const std::string name = keyword.value("NAME"), type = abaqus_key(keyword.value("TYPE"));
+    if (name.empty())
+      text_.refuse("the name of the surface is missing");
+    const Scope here = scope_of("");
+    if (type == "NODE")
+      {
+        // Nodes or their sets; a second word is the area of each.
+        Set &set = set_of(node_sets, name);
+        for (std::vector<std::string> words; text_.next_row(words);)
+          if (!words.empty())
+            add_members(words[0], here, true, set.members);
+        return;
+      }
+    if (!type.empty() && type != "ELEMENT")
+      text_.refuse("expected TYPE=ELEMENT or TYPE=NODE, got TYPE=" + shown(type));
+    Surface &surface = surfaces[abaqus_key(name)];
+    if (surface.name.empty())
+      surface.name = name;
+    surface.is_internal = keyword.has("INTERNAL");
+    for (std::vector<std::string> words; text_.next_row(words);)
+      {
+        words.resize(std::max<std::size_t>(words.size(), 2));
+        const std::string         side = abaqus_key(words[1]);
+        std::vector<unsigned int> of_elements;
+        add_members(words[0], here, false, of_elements);
+        for (const unsigned int element : of_elements)
+          {
+            const auto &corners       = elements[element].nodes;
+            const bool  is_hexahedron = elements[element].kind == ElementKind::hexahedron;
+            if (is_hexahedron && side.empty())
+              surface.free_elements.emplace_back(element, text_.line());
+            else if (is_hexahedron && side.size() == 2 && side[0] == 'S' && side[1] >= '1' &&
+                     side[1] <= '6')
+              {
+                FileMesh::Face face{{}, text_.line()};
+                for (unsigned int i = 0; i < 4; ++i)
+                  face.nodes[i] = corners[corners_of_face[side[1] - '1'][i]];
+                surface.faces.push_back(face);
+              }
+            else if (elements[element].kind == ElementKind::face &&
+                     (side.empty() || side == "SPOS" || side == "SNEG"))
+              surface.faces.push_back(
+                {{{corners[0], corners[1], corners[2], corners[3]}}, text_.line()});
+            else
+              text_.refuse("a line of *SURFACE must be an element or ELSET, and a face S1 to S6");
+          }
       }
   }
 

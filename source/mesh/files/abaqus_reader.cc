@@ -201,7 +201,7 @@ namespace vfife
       void name_sets()
       {
         std::multiset<std::string> names;
-        const auto                 count = [&names](const Part &part) {
+        const auto                 count = [&names](const AbaqusMesh &part) {
           std::set<std::string> own;
           for (const auto *sets : {&part.node_sets, &part.element_sets})
             for (const auto &set : *sets)
@@ -229,7 +229,7 @@ namespace vfife
       }
 
       template <typename NameOf>
-      void add_sets(const Part        &part,
+      void add_sets(const AbaqusMesh  &part,
                     const unsigned int first_node,
                     const unsigned int first_element,
                     const NameOf      &name_of)
@@ -257,7 +257,7 @@ namespace vfife
             {{{of.nodes[0], of.nodes[1], of.nodes[2], of.nodes[3]}}, of.line});
       }
 
-      void add_surface(const Part          &part,
+      void add_surface(const AbaqusMesh    &part,
                        const Part::Surface &surface,
                        const unsigned int   first_node,
                        const std::string   &name)
