@@ -145,7 +145,8 @@ namespace
         "Reduced/speeds=2",
         "Reduced/settling mesh cycles=1",
         "Reduced/recorded mesh cycles=1"}},
-      {"loaded tooth contact analysis", {"Loaded contact/positions=1"}},
+      {"loaded tooth contact analysis",
+       {"Loaded contact/positions=1", "Contact/friction coefficient=0.1"}},
       {"tooth contact analysis", {}}};
     for (const auto &[kind, more] : all)
       {
@@ -160,6 +161,8 @@ namespace
         check(kind + ": input conflict in the summary",
               has_text(found, "1296 MPa, exceeds the limit of 1200 MPa"));
         check("in the log", has_text(log, "warning: input conflict: Hertzian pressure"));
+        check("friction where there is none",
+              has_text(found, "no friction") == has_text(kind, "loaded"));
         std::size_t n_warnings = 0;
         for (std::size_t at = 0; (at = log.find("\nwarning: ", at)) != std::string::npos; ++at)
           ++n_warnings;

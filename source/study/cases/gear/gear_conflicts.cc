@@ -20,6 +20,15 @@ namespace vfife
     /** A sentence, or nothing where all is well or the study has not what is looked at. */
     using Check = std::string (*)(const GearFacts &gears, const RunPlan &plan);
 
+    std::string check_friction(const GearFacts &, const RunPlan &plan)
+    {
+      // Reduced pairs refuse friction themselves.
+      if (plan.model == nullptr || plan.dynamics != nullptr ||
+          !plan.model->contacts.front().options.friction.acts())
+        return "";
+      return "this analysis has no friction: Contact/friction coefficient acts in runs only";
+    }
+
     std::string check_damping(const GearFacts &gears, const RunPlan &plan)
     {
       if (plan.dynamics == nullptr)
@@ -214,6 +223,7 @@ namespace vfife
                                        &check_spin,
                                        &check_hertz,
                                        &check_pressure,
+                                       &check_friction,
                                        &check_damping,
                                        &check_damping_rate,
                                        &check_ramp,
