@@ -36,7 +36,16 @@ namespace vfife
 
   void BodyMotions::begin(const State &state)
   {
-    rates_ = compute_rates(state);
+    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
+      {
+        const UpdateAxis &line = axis(b);
+        BodySums          sums;
+        for (const std::uint32_t i : state.partition->owned_nodes(b))
+          add_node_moments(
+            line, masses_[i], state.node_position(i), state.node_velocity(i), sums.update);
+        sum_over_ranks(sums, communicator_);
+        rates_[b] = compute_momentum_rate(line, model_.bodies[b].mass(), sums.update);
+      }
     take_places(state);
   }
 
@@ -44,22 +53,6 @@ namespace vfife
   {
     for (DampingReference &reference : references_)
       reference.take_place(state, masses_, communicator_);
-  }
-
-  std::vector<RigidVelocity> BodyMotions::compute_rates(const State &state) const
-  {
-    std::vector<RigidVelocity> rates;
-    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
-      {
-        const UpdateAxis axis = references_[b].axis();
-        BodySums         sums;
-        for (const std::uint32_t i : state.partition->owned_nodes(b))
-          add_node_moments(
-            axis, masses_[i], state.node_position(i), state.node_velocity(i), sums.update);
-        sum_over_ranks(sums, communicator_);
-        rates.push_back(compute_momentum_rate(axis, model_.bodies[b].mass(), sums.update));
-      }
-    return rates;
   }
 
   std::vector<double> BodyMotions::axial_rates() const

@@ -26,10 +26,9 @@ namespace vfife
       if (size == 0.)
         size = std::round(10. * proposed) / 10.;
     };
-    const double inner = blank.inner_cone_distance();
-    const double root  = blank.meridian_point({inner, -blank.dedendum(inner)})[0];
-    const double module =
-      2. * blank.meridian_point({blank.outer_cone_distance, 0.})[0] / blank.teeth;
+    const double inner  = blank.inner_cone_distance();
+    const double root   = blank.meridian_point({inner, -blank.dedendum(inner)})[0];
+    const double module = blank.outer_module();
     if (options.web_direction == WebDirection::fitting)
       {
         options.web_direction = WebDirection::back;

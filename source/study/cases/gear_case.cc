@@ -246,8 +246,9 @@ namespace vfife
                  " N m, without friction");
         log.line(pressure->describe());
       }
-    const GearPair pair = make_pair();
+    const GearPair    pair   = make_pair();
+    const std::string excess = pressure ? pressure->find_excess(operation_.pressure_limit) : "";
     return report_conflicts(
-      {*this, pair, working_side(), ring_strain(), options_.has_web(), find_cause()}, plan, log);
+      {*this, pair, working_side(), ring_strain(), options_.has_web(), excess}, plan, log);
   }
 } // namespace vfife

@@ -38,15 +38,13 @@ namespace vfife
     }
     std::vector<UpdateAxis> axes() const;
 
-    /** Takes rates and places of the bodies from a state that a run begins with. Collective. */
+    /** Takes rates, by the momenta of the velocities, and places of the bodies from a state that a
+     * run begins with. Collective. */
     void begin(const State &state);
     /** Takes the places alone. Collective. */
     void take_places(const State &state);
 
-    /** The rigid motions with the momenta of a state's velocities. Collective. */
-    std::vector<RigidVelocity> compute_rates(const State &state) const;
-
-    /** The rates with the momenta after the last update, by body. */
+    /** The rates by the momenta after the last update, by body. */
     const std::vector<RigidVelocity> &rates() const
     {
       return rates_;

@@ -160,7 +160,7 @@ namespace vfife
         return;
       const GearPair pair(options.pair);
       for (unsigned int b = 0; b < 2; ++b)
-        check_surface_layer("Gear pair/" + options.members[b].name + "/Mesh",
+        check_surface_layer(options.members[b].section() + "/Mesh",
                             b == 0 ? pair.pinion() : pair.gear(),
                             options.members[b].body.fillet_corner,
                             options.members[b].body.surface_layer);
@@ -173,7 +173,7 @@ namespace vfife
     // Bodies are checked against blanks with everything that is derived from other entries.
     const GearPairOptions completed  = pair.completed();
     const auto            check_body = [](const GearCaseMember &member, const Blank &blank) {
-      check_gear_body("Gear pair/" + member.name, member.sized(blank), blank);
+      check_gear_body(member.section(), member.sized(blank), blank);
     };
     check_body(members[0], completed.pinion.blank);
     check_body(members[1], completed.gear.blank);
