@@ -126,6 +126,8 @@ namespace vfife
       const unsigned int   n_points  = sector.all_sectors().n_points();
       const std::string    name      = "body \"" + body.name() + "\": ";
       const BodyStructure &structure = body.structure();
+      // What a body grows by spin is scaled with the speed, which a temperature is not.
+      body.require_no_initial_strains("reduced bodies");
       for (const unsigned int node : options.touch_nodes)
         if (structure.sector_of(node) != 0)
           throw InputError(name + "node " + std::to_string(node) +

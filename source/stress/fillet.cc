@@ -3,9 +3,11 @@
 #include <vfife/mesh/boundary_surface.h>
 #include <vfife/mesh/node_set_names.h>
 #include <vfife/model/body.h>
+#include <vfife/model/load_shares.h>
 #include <vfife/stress/fillet.h>
 
 #include <algorithm>
+#include <map>
 
 namespace vfife
 {
@@ -251,6 +253,45 @@ namespace vfife
       find_nodes_of_tooth(body);
     measure(body);
     material_ = body.material_under(nodes_, side + " fillets");
+    if (body.has_initial_strains())
+      find_initial_strains(body);
+  }
+
+  void Fillet::find_initial_strains(const Body &body)
+  {
+    const auto sorted = [](std::array<unsigned int, 4> nodes) {
+      std::sort(nodes.begin(), nodes.end());
+      return nodes;
+    };
+    std::vector<unsigned int> nodes;
+    for (unsigned int tooth = 0; tooth < n_teeth(); ++tooth)
+      for (unsigned int column = 0; column <= n_columns_; ++column)
+        for (unsigned int row = 0; row <= n_rows_; ++row)
+          nodes.push_back(node(column, row, tooth));
+    std::map<std::array<unsigned int, 4>, double> strains;
+    for (const BoundaryFace &face : find_boundary_faces(body, nodes))
+      strains[sorted(face.nodes)] = body.initial_strain(face.element);
+    for (unsigned int tooth = 0; tooth < n_teeth(); ++tooth)
+      for (unsigned int column = 0; column < n_columns_; ++column)
+        for (unsigned int row = 0; row < n_rows_; ++row)
+          initial_strains_.push_back(strains.at(sorted(facet(column, row, tooth))));
+  }
+
+  double Fillet::initial_strain(const unsigned int column,
+                                const unsigned int row,
+                                const unsigned int tooth) const
+  {
+    return initial_strains_.empty()
+             ? 0.
+             : initial_strains_[(std::size_t(tooth) * n_columns_ + column) * n_rows_ + row];
+  }
+
+  SurfaceTensor Fillet::without_initial_strain(const SurfaceTensor &strain,
+                                               const unsigned int   column,
+                                               const unsigned int   row,
+                                               const unsigned int   tooth) const
+  {
+    return strain - initial_strain(column, row, tooth) * SurfaceTensor(1., 1., 0.);
   }
 
   unsigned int Fillet::n_teeth() const

@@ -92,6 +92,30 @@ namespace
     check_below("traction of even growth, relative error", largest, 1e-9);
   }
 
+  /** Initial strains: where the followed body expands freely, so does the submodel. */
+  void check_free_expansion(const GearBodyOptions &options, const FemOptions &elements)
+  {
+    constexpr double expansion = 1e-3;
+    Model            warm      = make_held_pinion(options);
+    warm.bodies[0].add_initial_strains(std::vector<double>(warm.bodies[0].n_elements(), expansion));
+    const FemSpace            sector  = FemSpace::sector_of(warm, 0, elements);
+    const auto                fillets = list_fillets(warm.bodies[0]);
+    std::vector<PointReading> readings;
+    for (const unsigned int row : {Fillet::first_row, fillets.front().fillet.end_row() - 1})
+      for (PointReading &reading : read_facet(sector, fillets.front().fillet.facet(1, row, 0)))
+        readings.push_back(std::move(reading));
+    const SectorSubmodel  submodel(SubmodelPart::teeth, sector, warm.bodies[0], readings);
+    const Eigen::VectorXd values =
+      submodel.load(0, {}, 0.) + submodel.follow(0, [&](const unsigned int node) -> Vector3 {
+        return expansion * warm.bodies[0].node_positions()[node];
+      });
+    double wrong = 0.;
+    for (Eigen::Index k = 0; k < values.size(); k += 3)
+      wrong =
+        largest_of(wrong, (values.segment<3>(k) - SurfaceTensor(expansion, expansion, 0.)).norm());
+    check_below("strain of free thermal expansion, relative error", wrong / expansion, 1e-9);
+  }
+
   /** The pressure on the elements' faces as forces at points of a quadrature. */
   void add_pressure(const FemSpace              &sector,
                     const SectorSubmodel        &submodel,
@@ -125,6 +149,7 @@ int main(int argc, char **argv)
   const FemSpace sector = FemSpace::sector_of(fine, 0, quadratic);
   const auto strains = read_fillets(sector, fillets), tractions = read_tractions(sector, fillets);
   check_even_growth(sector, tractions);
+  check_free_expansion(options, quadratic);
   std::vector<PointReading> readings = strains;
   readings.insert(readings.end(), tractions.begin(), tractions.end());
   const SectorSubmodel        submodel(SubmodelPart::teeth, sector, followed.bodies[0], readings);

@@ -3,7 +3,7 @@
 #define vfife_stress_fillet_h
 
 #include <vfife/base/types.h>
-#include <vfife/element/material.h>
+#include <vfife/stress/surface_stress.h>
 
 #include <array>
 #include <string>
@@ -95,6 +95,14 @@ namespace vfife
     /** Centre of a facet unrolled: (along the face, up the profile) [mm]. */
     Vector2 centre(unsigned int column, unsigned int row) const;
 
+    /** Body::initial_strain() of the element under a facet, which causes no stress [-]. */
+    double initial_strain(unsigned int column, unsigned int row, unsigned int tooth) const;
+    /** The part of a facet's @p strain that causes stress. */
+    SurfaceTensor without_initial_strain(const SurfaceTensor &strain,
+                                         unsigned int         column,
+                                         unsigned int         row,
+                                         unsigned int         tooth) const;
+
   private:
     std::size_t index(const unsigned int column, const unsigned int row) const
     {
@@ -103,6 +111,7 @@ namespace vfife
     void find_nodes_of_tooth(const Body &body);
     void find_nodes_at_hub(const Body &body);
     void measure(const Body &body);
+    void find_initial_strains(const Body &body);
 
     std::string               side_;
     Material                  material_;
@@ -111,6 +120,7 @@ namespace vfife
     bool                      mirrored_ = false; ///< seen from outside column 0 is on the right
     std::vector<unsigned int> nodes_;            ///< of tooth 0 by index()
     std::vector<double>       face_, profile_;
+    std::vector<double>       initial_strains_; ///< by tooth, column and row; empty: none
   };
 } // namespace vfife
 

@@ -75,7 +75,12 @@ namespace vfife
         , undeformed_(undeformed_positions(model, vfife))
         , x_(undeformed_)
         , forces_(vfife.make_field())
+        , at_rest_(vfife.make_field())
       {
+        if (std::any_of(model.bodies.begin(), model.bodies.end(), [](const Body &body) {
+              return body.has_initial_strains();
+            }))
+          vfife.compute_internal_forces(undeformed_, at_rest_);
       }
 
       double dot(const NodeField &a, const NodeField &b) const
@@ -91,8 +96,8 @@ namespace vfife
       /** Sets @p product to A q. */
       void multiply(const NodeField &q, NodeField &product)
       {
-        // v = M^-1/2 q to the amplitude that differences of forces want; K v = -f(x0 + v), as the
-        // undeformed bodies have no forces.
+        // v = M^-1/2 q to the amplitude that differences of forces want; K v = f(x0) - f(x0 + v),
+        // and undeformed bodies have forces by initial strains only.
         const Partition &partition = vfife_.partition();
         double           largest   = 0;
         for (const std::uint32_t i : partition.nodes())
@@ -102,7 +107,7 @@ namespace vfife
           x_.set(i, undeformed_.value(i) + scale / root_mass(i) * q.value(i));
         vfife_.compute_internal_forces(x_, forces_);
         for (const std::uint32_t i : partition.nodes())
-          product.set(i, -1. / (scale * root_mass(i)) * forces_.value(i));
+          product.set(i, -1. / (scale * root_mass(i)) * (forces_.value(i) - at_rest_.value(i)));
       }
 
     private:
@@ -115,6 +120,7 @@ namespace vfife
       const Communicator &communicator_;
       double              amplitude_;
       NodeField           undeformed_, x_, forces_;
+      NodeField           at_rest_; ///< forces of undeformed bodies by initial strains [N]
     };
 
     /** a <- a - factor b at all nodes of the rank. */

@@ -9,6 +9,7 @@
 #include <vfife/model/constraints/held_direction.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vfife
 {
@@ -23,10 +24,25 @@ namespace vfife
       return options;
     }
 
+    /** Throws InputError where initial strains differ between sectors. */
+    void require_equal_strains(const Body &body)
+    {
+      // Temperatures are formulas of places, which differ by round-off.
+      constexpr double round_off = 1e-12;
+      if (body.has_initial_strains())
+        for (unsigned int e = 0; e < body.n_elements(); ++e)
+          if (std::abs(body.initial_strain(e) -
+                       body.initial_strain(body.structure().first_copy_of_element(e))) > round_off)
+            throw InputError("body \"" + body.name() +
+                             "\": expected a temperature that is equal in all sectors for analyses "
+                             "of one sector, got a different one at element " +
+                             std::to_string(e));
+    }
+
     /** Throws InputError for what no sector can have by itself. */
     const Model &require_own_supports(const Model &model, const unsigned int b)
     {
-      model.bodies[b].require_no_initial_strains("analyses of one sector");
+      require_equal_strains(model.bodies[b]);
       for (const Load &load : model.loads)
         if (load.body == b)
           throw InputError("body \"" + model.bodies[b].name() + "\": load \"" + load.name +
@@ -145,8 +161,16 @@ namespace vfife
 
   std::vector<double> CyclicBody::find_equilibrium(const double rate) const
   {
-    return rate != 0 ? rotating_.find_equilibrium(rate)
-                     : std::vector<double>(3 * std::size_t(sector().n_points()), 0.);
+    return rate != 0 || body().has_initial_strains()
+             ? rotating_.find_equilibrium(rate)
+             : std::vector<double>(3 * std::size_t(sector().n_points()), 0.);
+  }
+
+  FemMatrix CyclicBody::stiffness(const SystemMatrices &matrices) const
+  {
+    return rate_ != 0 || body().has_initial_strains()
+             ? matrices.spinning_stiffness(equilibrium_, constant_rate(rate_))
+             : matrices.stiffness(constant_rate(0.));
   }
 
   void CyclicBody::find_turn()

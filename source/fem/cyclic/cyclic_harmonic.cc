@@ -94,9 +94,7 @@ namespace vfife
     , number_(number)
     , system_(body.sector(), options_of(number, body.rotation()), body.communicator())
     , matrices_(system_, body.options().mass, body.options().strain)
-    , K_(body.rate() != 0
-           ? matrices_.spinning_stiffness(body.equilibrium(), constant_rate(body.rate()))
-           : matrices_.stiffness(constant_rate(0.)))
+    , K_(body.stiffness(matrices_))
     , M_(matrices_.mass())
   {
     if (number == 0 && body.turns())
@@ -265,9 +263,7 @@ namespace vfife
       {
         // The pinned hub loses an unknown: its matrix is made anew.
         const SystemMatrices pinned(*pinned_, body_.options().mass, body_.options().strain);
-        K = body_.rate() != 0
-              ? pinned.spinning_stiffness(body_.equilibrium(), constant_rate(body_.rate()))
-              : pinned.stiffness(constant_rate(0.));
+        K = body_.stiffness(pinned);
         // In bearings alone the turn is pinned at a ring.
         if (!has_turning_hub(body_.sector().model(), body_.sector().parts()[0].body))
           K = add_turn_pins(*pinned_, {body_.sector().parts()[0].body}, std::move(K));

@@ -75,12 +75,7 @@ namespace vfife
   void CyclicStatics::factorize()
   {
     const SystemMatrices matrices(*sector_, body_.options().mass, body_.options().strain);
-    const double         rate = body_.rate();
-    condensed_ =
-      std::make_unique<Condensation>(rate != 0 ? matrices.spinning_stiffness(body_.equilibrium(),
-                                                                             constant_rate(rate))
-                                               : matrices.stiffness(constant_rate(0.)),
-                                     find_border());
+    condensed_ = std::make_unique<Condensation>(body_.stiffness(matrices), find_border());
     const Eigen::MatrixXd &S = condensed_->border_matrix();
     if (pinned_)
       {

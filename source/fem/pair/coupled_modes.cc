@@ -276,12 +276,13 @@ namespace vfife
                                   const unsigned int             n,
                                   const Communicator            &communicator)
   {
-    const FemSpace &d       = compliance.space();
-    FemOptions      options = fem_options;
-    if (centrifugal && degree_of(options.element) > 1)
+    const FemSpace &d        = compliance.space();
+    FemOptions      options  = fem_options;
+    const bool      at_state = centrifugal || compliance.is_strained();
+    if (at_state && degree_of(options.element) > 1)
       throw InputError("Fem/element type",
-                       "coupled modes of a rotating pair require elements of eight nodes. Use "
-                       "incompatible modes or centrifugal = no");
+                       "coupled modes of a pair with centrifugal forces or temperatures require "
+                       "elements of eight nodes. Use incompatible modes, or neither of these");
     options.eigen_solver = EigenSolverKind::shift_invert;
     options.n_modes      = n_basis(n);
     const FemSystem    system(d, FemConstraints::Options(), communicator, make_links(ties));
@@ -297,9 +298,12 @@ namespace vfife
     const SystemMatrices &matrices = solver.matrices();
     const auto      rate = [&d](const unsigned int body) { return d.model().bodies[body].rate; };
     const FemMatrix M    = matrices.mass();
-    FemMatrix       K =
-      centrifugal ? matrices.spinning_stiffness(compliance.spun(), rate) : matrices.stiffness(rate);
-    K = add_scaled(std::move(K), 1., make_contact(system, ties));
+    const auto      rate_of_state = [&](const unsigned int body) {
+      return centrifugal ? rate(body) : 0.;
+    };
+    FemMatrix K = at_state ? matrices.spinning_stiffness(compliance.spun(), rate_of_state)
+                           : matrices.stiffness(rate);
+    K           = add_scaled(std::move(K), 1., make_contact(system, ties));
     // Turning bodies feel their bearings in the mean over all turns; what stands in space feels
     // them as they are.
     const BearingRings   &rings    = system.rings();

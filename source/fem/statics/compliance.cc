@@ -68,8 +68,10 @@ namespace vfife
     , averages_(space_)
     , facet_parts_(space_)
   {
-    for (const Body &body : model.bodies)
-      body.require_no_initial_strains("the compliance of a gear pair");
+    // One rate gives the bearings' stiffness and the centrifugal forces of a state.
+    if (is_strained() && !model.bearings.empty() && model.any_body_turns() && !centrifugal)
+      throw InputError("expected centrifugal = yes for rotating bodies in bearings that have a "
+                       "temperature, got no");
     check_motions();
     spun_.assign(3 * static_cast<std::size_t>(space_.n_points()), 0.);
     if (factorized == Factorized::bodies || !factorize_sectors(options, centrifugal))
@@ -130,18 +132,22 @@ namespace vfife
     n_unknowns_ = system_->constraints().n();
     const SystemMatrices matrices(*system_, options.mass, options.strain);
     const auto rate = [this](const unsigned int body) { return model_.bodies[body].rate; };
-    if (!centrifugal)
+    if (!centrifugal && !is_strained())
       {
         factorize(matrices.stiffness(rate), 0);
         return;
       }
+    const auto rate_of_state = [&](const unsigned int body) {
+      return centrifugal ? rate(body) : 0.;
+    };
     // The factors that are left are those of the state of spin.
-    spun_ = find_spin_state(matrices, rate, true, 0., "the bodies", [&](const FemMatrix &K) {
-              standing_ = find_standing_motions(matrices, K, rate);
-              // Shifts and tilts may be faster than their bearings allow.
-              factorize(K, 4 * standing_.size());
-              return [this](OwnedVector &q) { solver_->solve(q.data(), 1); };
-            }).displacements;
+    spun_ =
+      find_spin_state(matrices, rate_of_state, true, 0., "the bodies", [&](const FemMatrix &K) {
+        standing_ = find_standing_motions(matrices, K, rate_of_state);
+        // Shifts and tilts may be faster than their bearings allow.
+        factorize(K, 4 * standing_.size());
+        return [this](OwnedVector &q) { solver_->solve(q.data(), 1); };
+      }).displacements;
   }
 
   void Compliance::check_motions()
@@ -166,6 +172,13 @@ namespace vfife
         if (!hub)
           pinned_.push_back(part.body);
       }
+  }
+
+  bool Compliance::is_strained() const
+  {
+    return std::any_of(model_.bodies.begin(), model_.bodies.end(), [](const Body &body) {
+      return body.has_initial_strains();
+    });
   }
 
   bool Compliance::turns_freely(const unsigned int body) const

@@ -2,6 +2,7 @@
 #include "sector_strip.h"
 
 #include <vfife/base/process/communicator.h>
+#include <vfife/element/hexahedron.h>
 #include <vfife/fem/solvers/direct_solver.h>
 #include <vfife/fem/system/fem_matrix.h>
 #include <vfife/mesh/body_mesh.h>
@@ -293,6 +294,28 @@ namespace vfife
                 K.block<3, 3>(3 * a, 3 * b);
       }
     return influence;
+  }
+
+  Eigen::VectorXd SectorStrip::compute_expanding_forces(const unsigned int tooth) const
+  {
+    const BodyStructure &structure = body_.structure();
+    const int            n         = structure.n_sectors();
+    Eigen::VectorXd      forces    = Eigen::VectorXd::Zero(3 * points_.size());
+    for (const Element &element : elements_)
+      {
+        const int      sector = (((int(tooth) + element.turned) % n) + n) % n;
+        const unsigned first =
+          structure.first_copy_of_element(sector_.body_element(element.of_sector));
+        const double strain =
+          body_.initial_strain(first + sector * structure.elements_per_sector());
+        const ElementNodes    X    = places_of(element);
+        const ElementNodes    free = expand_nodes(X, strain) - X;
+        const Eigen::VectorXd f =
+          stiffness_of(element) * Eigen::Map<const Eigen::VectorXd>(free.data(), free.size());
+        for (std::size_t a = 0; a < element.points.size(); ++a)
+          forces.segment<3>(3 * element.points[a]) += f.segment<3>(3 * a);
+      }
+    return forces;
   }
 
   Eigen::VectorXd SectorStrip::compute_spin_forces() const

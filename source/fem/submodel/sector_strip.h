@@ -55,6 +55,10 @@ namespace vfife
     /** Centrifugal forces on all points at 1 rad/s [N]. */
     Eigen::VectorXd compute_spin_forces() const;
 
+    /** Forces on all points that expand the elements by the initial strains of the body [N], where
+     * the strip's middle is @p tooth; in the axes of tooth 0. */
+    Eigen::VectorXd compute_expanding_forces(unsigned int tooth) const;
+
   private:
     struct Element
     {

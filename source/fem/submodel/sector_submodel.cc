@@ -72,6 +72,9 @@ namespace vfife
     const SectorStrip::Influence influence = strip.find_influence(readings);
     n_unknowns_                            = strip.n_unknowns();
     of_spin_                               = influence.of_forces * strip.compute_spin_forces();
+    if (fine.has_initial_strains())
+      for (unsigned int tooth = 0; tooth < fine.structure().n_sectors(); ++tooth)
+        of_initial_strains_.push_back(influence.of_forces * strip.compute_expanding_forces(tooth));
     if (part == SubmodelPart::teeth)
       {
         find_flanks(sector);
@@ -248,8 +251,10 @@ namespace vfife
   Eigen::VectorXd
   SectorSubmodel::load(const unsigned int tooth, const ToothForces &forces, const double rate) const
   {
-    Eigen::VectorXd    values = rate * rate * of_spin_;
-    const unsigned int n      = followed_->structure().n_sectors();
+    Eigen::VectorXd values = rate * rate * of_spin_;
+    if (!of_initial_strains_.empty())
+      values += of_initial_strains_[tooth];
+    const unsigned int n = followed_->structure().n_sectors();
     for (unsigned int k = 0; k < of_forces_.size(); ++k)
       if (const auto found = forces.find((tooth + n + k - 1) % n); found != forces.end())
         values += of_forces_[k] * found->second;

@@ -1,15 +1,18 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/parameters/expression.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/base/text/number_text.h>
 #include <vfife/element/material_sections.h>
 #include <vfife/mesh/body_mesh.h>
+#include <vfife/model/body.h>
 #include <vfife/model/options/body_materials.h>
 
 #include <boost/algorithm/string/predicate.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -19,6 +22,9 @@ namespace vfife
   namespace
   {
     const char *const region_entry = "/region materials";
+
+    /** Elements are linear elastic: beyond this a temperature is hardly meant. */
+    constexpr double largest_initial_strain = 0.1;
 
     /** "REGION: MATERIAL" at its last colon; a part is empty where it is missing. */
     std::pair<std::string, std::string> split_region_material(const std::string &pair)
@@ -38,6 +44,11 @@ namespace vfife
                   "Materials of single regions (" + regions +
                     "), as REGION: MATERIAL, separated by commas; MATERIAL names a section "
                     "\"Material NAME\"; other regions have the body's material");
+    declare_text(prm,
+                 "temperature",
+                 temperature,
+                 "Temperature above the stress-free temperature: formula of x, y, z [mm] in "
+                 "the undeformed body frame, evaluated at each element's centre [K]");
   }
 
   void BodyMaterials::check(const std::string &section, const std::string &region_of_body) const
@@ -112,5 +123,32 @@ namespace vfife
         materials.push_back(found == of_region.end() ? 0 : found->second);
       }
     mesh.structure.set_materials(std::move(materials));
+  }
+
+  void BodyMaterials::give_temperature(Body &body, const std::string &section) const
+  {
+    const std::string entry = section + "/temperature";
+    if (temperature == "0")
+      return;
+    try
+      {
+        const Expression    formula(temperature, entry);
+        std::vector<double> strains;
+        for (unsigned int e = 0; e < body.n_elements(); ++e)
+          {
+            const double rise = formula(compute_centroid(body.element_nodes(e)), 0.);
+            strains.push_back(body.material(e).expansion * rise);
+            if (!(std::abs(strains.back()) < largest_initial_strain))
+              throw InputError(entry,
+                               "expected a temperature that expands the material by less than " +
+                                 std::to_string(100. * largest_initial_strain) + " %, got " +
+                                 std::to_string(rise) + " K at element " + std::to_string(e));
+          }
+        body.add_initial_strains(strains);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(entry, error.what());
+      }
   }
 } // namespace vfife

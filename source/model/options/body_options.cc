@@ -18,8 +18,6 @@ namespace vfife
   {
     /** The meshes that are no shapes of three sizes. */
     const std::string from_file = "file", stepped_shaft = "stepped shaft";
-    /** Elements are linear elastic: beyond this a temperature is hardly meant. */
-    constexpr double largest_initial_strain = 0.1;
   } // namespace
 
   void BodyOptions::declare_kind(dealii::ParameterHandler &prm)
@@ -65,11 +63,6 @@ namespace vfife
       shaft.declare(prm);
     else
       declare_shape(prm, section);
-    declare_text(prm,
-                 "temperature",
-                 temperature,
-                 "Temperature above the stress-free temperature: formula of x, y, z [mm] in "
-                 "the undeformed body frame, evaluated at each element's centre [K]");
     declare_vector(prm, "position", position, "mm", "Position of the body frame's origin");
     declare_vector(
       prm, "rotation axis", rotation_axis, "-", "Axis of the rotation that places the body frame");
@@ -202,33 +195,6 @@ namespace vfife
                        list_of(names));
   }
 
-  void BodyOptions::give_temperature(Body &body, const std::string &section) const
-  {
-    const std::string entry = section + "/temperature";
-    if (temperature == "0")
-      return;
-    try
-      {
-        const Expression    formula(temperature, entry);
-        std::vector<double> strains;
-        for (unsigned int e = 0; e < body.n_elements(); ++e)
-          {
-            const double rise = formula(compute_centroid(body.element_nodes(e)), 0.);
-            strains.push_back(body.material(e).expansion * rise);
-            if (!(std::abs(strains.back()) < largest_initial_strain))
-              throw InputError(entry,
-                               "expected a temperature that expands the material by less than " +
-                                 std::to_string(100. * largest_initial_strain) + " %, got " +
-                                 std::to_string(rise) + " K at element " + std::to_string(e));
-          }
-        body.add_initial_strains(strains);
-      }
-    catch (const InputError &error)
-      {
-        throw InputError(entry, error.what());
-      }
-  }
-
   Body BodyOptions::make(const std::string      &name,
                          const MaterialSections &sections,
                          const std::string      &section) const
@@ -236,7 +202,7 @@ namespace vfife
     std::unique_ptr<BodyMesh> body_mesh = make_mesh(section);
     materials.assign(*body_mesh, section);
     Body body(name, materials.find(sections, section), std::move(body_mesh));
-    give_temperature(body, section);
+    materials.give_temperature(body, section);
     // x = R X + position: turned about the body frame's origin, then moved.
     body.placement.rotation    = rotation_about(rotation_axis.normalized(), rotation_angle);
     body.placement.translation = position;

@@ -44,9 +44,13 @@ namespace vfife
   FilletStrains strains_of_displacements(const Model &model, Vectors u)
   {
     return {[&model, u](const MemberFillet &member, unsigned column, unsigned row, unsigned tooth) {
-              return undeformed(model, member, column, row, tooth)
-                .of_displacements(
-                  gather(member.fillet, column, row, tooth, of_body(u, member.body)));
+              return member.fillet.without_initial_strain(
+                undeformed(model, member, column, row, tooth)
+                  .of_displacements(
+                    gather(member.fillet, column, row, tooth, of_body(u, member.body))),
+                column,
+                row,
+                tooth);
             },
             [u](const MemberGauge &member, const unsigned tooth) {
               return member.gauge.of_displacements(of_body(u, member.body), tooth);
@@ -55,14 +59,18 @@ namespace vfife
 
   FilletStrains strains_of_places(const Model &model, Vectors places)
   {
-    return {[&model,
-             places](const MemberFillet &member, unsigned column, unsigned row, unsigned tooth) {
-              return undeformed(model, member, column, row, tooth)
-                .of_places(gather(member.fillet, column, row, tooth, of_body(places, member.body)));
-            },
-            [places](const MemberGauge &member, const unsigned tooth) {
-              return member.gauge.of_places(of_body(places, member.body), tooth);
-            }};
+    return {
+      [&model, places](const MemberFillet &member, unsigned column, unsigned row, unsigned tooth) {
+        return member.fillet.without_initial_strain(
+          undeformed(model, member, column, row, tooth)
+            .of_places(gather(member.fillet, column, row, tooth, of_body(places, member.body))),
+          column,
+          row,
+          tooth);
+      },
+      [places](const MemberGauge &member, const unsigned tooth) {
+        return member.gauge.of_places(of_body(places, member.body), tooth);
+      }};
   }
 
   SampleColumns<RootStressSample> list_root_stress_columns()
@@ -108,7 +116,6 @@ namespace vfife
     const Transmission &t = *model.only_transmission();
     for (const unsigned int body : {t.driver, t.driven})
       {
-        model.bodies[body].require_no_initial_strains("root stresses");
         named_teeth_[body] = options.read_named_teeth(model.bodies[body].name(), count_teeth(body));
         for (const std::string &side : Fillet::list_sides(model.bodies[body]))
           {

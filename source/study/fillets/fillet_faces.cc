@@ -46,15 +46,18 @@ namespace vfife
                                const unsigned int  column,
                                const unsigned int  row,
                                const unsigned int  tooth) {
-      return of_facet(member, member.fillet.facet(column, row, tooth), u);
+      return of_facet(member, column, row, tooth, u);
     };
     return strains;
   }
 
-  SurfaceTensor FilletFaces::of_facet(const MemberFillet               &member,
-                                      const std::array<unsigned int, 4> nodes,
-                                      const std::vector<double>        &u) const
+  SurfaceTensor FilletFaces::of_facet(const MemberFillet        &member,
+                                      const unsigned int         column,
+                                      const unsigned int         row,
+                                      const unsigned int         tooth,
+                                      const std::vector<double> &u) const
   {
+    const auto    nodes = member.fillet.facet(column, row, tooth);
     const Body   &body  = space_->model().bodies[member.body];
     const Vector3 along = body.placement.rotation * direction_along_face(body, nodes);
     WorstStrain   worst(member.fillet.material());
@@ -68,7 +71,7 @@ namespace vfife
             v.segment<3>(3 * i) = Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(points[i]));
           }
         for (const Eigen::MatrixXd &strain : list_face_strains(X, along, space_->degree()))
-          worst.add(strain * v);
+          worst.add(member.fillet.without_initial_strain(strain * v, column, row, tooth));
       }
     return worst.strain();
   }

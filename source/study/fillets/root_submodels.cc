@@ -129,17 +129,24 @@ namespace vfife
       const unsigned int     facet  = column * fillet.n_rows + row - Fillet::first_row;
       WorstStrain            worst(member.fillet.material());
       for (unsigned int i = 0; i < fillet.n_points; ++i)
-        worst.add(values.segment<3>(fillet.facets + 3 * (facet * fillet.n_points + i)));
+        worst.add(member.fillet.without_initial_strain(
+          values.segment<3>(fillet.facets + 3 * (facet * fillet.n_points + i)),
+          column,
+          row,
+          tooth));
       return worst.strain();
     };
     strains.traction = [this, read](const MemberFillet &member,
                                     const unsigned int  column,
                                     const unsigned int  row,
                                     const unsigned int  tooth) {
-      const FirstReadings &fillet = readings_of(member);
+      const FirstReadings &fillet   = readings_of(member);
+      const Material      &material = member.fillet.material();
       return read(member.body,
                   fillet.submodel,
-                  tooth)[fillet.tractions + column * fillet.n_rows + row - Fillet::first_row];
+                  tooth)[fillet.tractions + column * fillet.n_rows + row - Fillet::first_row] -
+             (3. * material.lambda() + 2. * material.mu()) *
+               member.fillet.initial_strain(column, row, tooth);
     };
     strains.gauge = [this, read](const MemberGauge &gauge, const unsigned int tooth) {
       const Eigen::VectorXd &values    = read(gauge.body, 0, tooth);

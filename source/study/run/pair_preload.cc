@@ -14,6 +14,7 @@
 #include <vfife/study/run/pair_preload.h>
 #include <vfife/study/run/pair_start.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -214,9 +215,12 @@ namespace vfife
   void PreloadedPair::log_preload() const
   {
     const DeflectionParts &parts = preload_.parts;
+    const bool warm = std::any_of(model_.bodies.begin(), model_.bodies.end(), [](const Body &body) {
+      return body.has_initial_strains();
+    });
     log_.line("transmission error under load ",
               parts.total / arcsecond,
-              " arcsec: centrifugal shift ",
+              warm ? " arcsec: centrifugal and thermal shift " : " arcsec: centrifugal shift ",
               parts.centrifugal / arcsecond,
               ", web windup ",
               parts.web_windup / arcsecond,

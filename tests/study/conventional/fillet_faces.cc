@@ -38,16 +38,20 @@ namespace
 
 int main(int argc, char **argv)
 {
-  const TestRanks ranks(argc, argv);
-  const Model     model =
-    make_gear_model("faces.prm",
-                    few_teeth("set body type = rim only", "set elements through rim = 2") +
-                      "subsection Operation\nset speed = 20000 rpm\nset torque = 800 N m\n"
-                      "set mesh cycles = 1\nset bore rotation = rigid\nend\n",
-                    ranks.world);
-  const RootStress stress(model, {});
-  Matrix3          growth = 1e-3 * Matrix3::Identity(), any;
-  Matrix3          rotation;
+  const TestRanks   ranks(argc, argv);
+  const std::string text = few_teeth("set body type = rim only", "set elements through rim = 2") +
+                           "subsection Operation\nset speed = 20000 rpm\nset torque = 800 N m\n"
+                           "set mesh cycles = 1\nset bore rotation = rigid\nend\n";
+  const Model model = make_gear_model("faces.prm", text, ranks.world);
+  // Both members expand by 1e-3.
+  const std::string hot  = "set temperature = 1e-3/1.2e-5\nend\n";
+  const Model       warm = make_gear_model("warm.prm",
+                                     text + "subsection Gear pair\nsubsection Pinion\n" + hot +
+                                       "subsection Gear\n" + hot + "end\n",
+                                     ranks.world);
+  const RootStress  stress(model, {}), warm_stress(warm, {});
+  Matrix3           growth = 1e-3 * Matrix3::Identity(), any;
+  Matrix3           rotation;
   rotation << 0., -5e-4, -3e-4, 5e-4, 0., -2e-4, 3e-4, 2e-4, 0.;
   growth += rotation;
   any << 1e-3, 2e-4, -3e-4, 5e-4, -4e-4, 1e-4, 2e-4, 6e-4, 7e-4;
@@ -72,6 +76,16 @@ int main(int argc, char **argv)
                        (strain.facet(member, c, r, tooth) - SurfaceTensor(1e-3, 1e-3, 0.)).norm());
         });
         check_below(name + ": growth and rotation", wrong, 1e-15);
+
+        // Free thermal expansion has no stress.
+        const FemSpace    warm_space(warm, {0, 1}, options);
+        const FilletFaces warm_faces(warm_space, warm_stress.fillets());
+        const auto        rest = warm_faces.of(grown);
+        double            left = 0;
+        for_facets(warm_stress, [&](const auto &member, unsigned c, unsigned r, unsigned tooth) {
+          left = largest_of(left, rest.facet(member, c, r, tooth).norm());
+        });
+        check_below(name + ": free thermal expansion", left, 1e-15);
 
         if (divided || degree_of(choice.second) > 1)
           continue;

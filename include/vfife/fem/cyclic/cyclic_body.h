@@ -41,7 +41,8 @@ namespace vfife
     /**
      * Throws InputError where sectors are no turned copies of each other, are not held or driven
      * alike, or the body can move otherwise than by turning about its axis, for bearings at rest
-     * that are not alike across the axis, and for loads; NumericalError where the body is not
+     * that are not alike across the axis, for loads and for initial strains that differ between
+     * sectors; NumericalError where the body is not
      * stable at @p rate [rad/s].
      */
     CyclicBody(const Model &model, unsigned int body, const FemOptions &options, double rate);
@@ -66,13 +67,16 @@ namespace vfife
       return rate_;
     }
 
-    /** Displacements of the sector's points in the state of spin, as K is taken about them [mm]. */
+    /** Displacements of the sector's points in the state of spin and initial strains, as K is taken
+     * about them [mm]. */
     const std::vector<double> &equilibrium() const
     {
       return equilibrium_;
     }
     /** The same at another rate [rad/s]. */
     std::vector<double> find_equilibrium(double rate) const;
+    /** The tangent about that state. */
+    FemMatrix stiffness(const SystemMatrices &matrices) const;
     /** The state of spin without its rigid turn [mm]. */
     const std::vector<double> &spin() const
     {

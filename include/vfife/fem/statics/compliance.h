@@ -55,14 +55,16 @@ namespace vfife
    * an unknown of whoever asks (PairEquilibrium). Bearings are springs, linear and in the mean over
    * turns where bodies turn (BearingRings::stiffness()).
    *
-   * In spin the matrix is the tangent K(u0) - Omega^2 S (+ curvature of the hub) at the state of
-   * spin u0 (doc/theory/fem.md). All functions are collective; results are equal on all ranks.
+   * In spin, and with initial strains, the matrix is the tangent K(u0) - Omega^2 S (+ curvature of
+   * the hub) at the state u0 of spin and strains (doc/theory/fem.md). All functions are collective;
+   * results are equal on all ranks.
    */
   class Compliance
   {
   public:
     /** Throws InputError where a body can move otherwise than by turning on its hub or, the driven
-     * one of a pair, in its bearings; NumericalError where the speed is too high. */
+     * one of a pair, in its bearings, and where bodies with a temperature rotate in bearings
+     * without @p centrifugal forces; NumericalError where the speed is too high. */
     Compliance(const Model        &model,
                const FemOptions   &options,
                bool                centrifugal,
@@ -79,12 +81,15 @@ namespace vfife
       return !sectors_.empty();
     }
 
-    /** Displacements of all points (3 a point) under centrifugal forces alone [mm]; zero without.
-     */
+    /** Displacements of all points (3 a point) under centrifugal forces and initial strains alone
+     * [mm]; zero without. */
     const std::vector<double> &spun() const
     {
       return spun_;
     }
+    /** Whether a body has initial strains: a temperature or an interference. */
+    bool is_strained() const;
+
     /** Displacements of all points under the model's torques in full [mm]. */
     const std::vector<double> &twisted() const
     {

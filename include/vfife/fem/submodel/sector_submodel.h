@@ -59,8 +59,8 @@ namespace vfife
 
     /** What displacements of the followed body make of the readings of a tooth. */
     Eigen::VectorXd follow(unsigned int tooth, const NodeDisplacement &u) const;
-    /** What forces, and a spin at @p rate [rad/s], make of them. A part without flanks does not see
-     * forces on flanks. */
+    /** What forces, a spin at @p rate [rad/s] and initial strains make of them. A part without
+     * flanks does not see forces on flanks. */
     Eigen::VectorXd load(unsigned int tooth, const ToothForces &forces, double rate) const;
 
     /** Nodes of the followed body by which the readings of tooth 0 move, and by how much: a column
@@ -104,7 +104,8 @@ namespace vfife
     Eigen::MatrixXd                      of_displacements_;
     /** On the teeth before, here and after; none of a part without flanks. */
     std::vector<Eigen::MatrixXd> of_forces_;
-    Eigen::VectorXd              of_spin_; ///< at 1 rad/s
+    Eigen::VectorXd              of_spin_;            ///< at 1 rad/s
+    std::vector<Eigen::VectorXd> of_initial_strains_; ///< by tooth; empty: none
   };
 } // namespace vfife
 

@@ -14,14 +14,17 @@ namespace dealii
 
 namespace vfife
 {
+  class Body;
   struct BodyMesh;
   class MaterialSections;
 
-  /** Entries `material` and `region materials` of a body: names of sections "Material NAME". */
+  /** Entries `material` and `region materials` of a body, names of sections "Material NAME", and
+   * its `temperature`. */
   struct BodyMaterials
   {
     std::string              material = "steel";
     std::vector<std::string> of_regions; ///< "REGION: MATERIAL"; other regions have the material
+    std::string              temperature = "0"; ///< formula of x, y, z [K], body frame
 
     /** @p regions: those that the second entry may name, for its description. */
     void declare(dealii::ParameterHandler &prm, const std::string &regions);
@@ -39,6 +42,10 @@ namespace vfife
     /** Gives the elements of @p mesh their numbers among names(). Throws InputError where the mesh
      * has no such region, or a region has two materials. */
     void assign(BodyMesh &mesh, const std::string &section) const;
+
+    /** Gives the elements of @p body the strain of free thermal expansion at their centres. Throws
+     * InputError where the formula is wrong or a strain exceeds the theory of small strains. */
+    void give_temperature(Body &body, const std::string &section) const;
   };
 } // namespace vfife
 

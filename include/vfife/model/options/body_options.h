@@ -23,7 +23,6 @@ namespace vfife
     SteppedShaftOptions               shaft;     ///< of `mesh = stepped shaft`
     std::string                       file;      ///< of `mesh = file`, see read_body()
     std::vector<std::string>          regions;   ///< of that file; none: all
-    std::string                       temperature = "0"; ///< formula of x, y, z [K]
 
     Vector3 position       = Vector3::Zero(); ///< of the body frame's origin [mm]
     Vector3 rotation_axis  = Vector3::UnitZ();
@@ -55,7 +54,6 @@ namespace vfife
     void declare_shape(dealii::ParameterHandler &prm, const std::string &section);
     std::unique_ptr<BodyMesh> make_mesh(const std::string &section) const;
     std::unique_ptr<BodyMesh> read_file(const std::string &section) const;
-    void                      give_temperature(Body &body, const std::string &section) const;
   };
 } // namespace vfife
 

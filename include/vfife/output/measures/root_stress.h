@@ -38,11 +38,12 @@ namespace vfife
   /** Where strains of a surface come from: displacements, places of nodes, or readings. */
   struct FilletStrains
   {
-    /** Of a facet, in the axes of its FacetStrain. */
+    /** Of a facet, in the axes of its FacetStrain, without the initial strain of its element. */
     std::function<
       SurfaceTensor(const MemberFillet &, unsigned column, unsigned row, unsigned tooth)>
       facet;
-    /** Of the copy of a gauge on a tooth. */
+    /** Of the copy of a gauge on a tooth, with initial strains: a gauge is not compensated for
+     * temperature. */
     std::function<double(const MemberGauge &, unsigned tooth)> gauge;
     /** Traction along the normal that is left on a facet [MPa]; empty where it is not known. */
     std::function<double(const MemberFillet &, unsigned column, unsigned row, unsigned tooth)>

@@ -25,9 +25,11 @@ namespace vfife
     FilletStrains of(const std::vector<double> &u) const;
 
   private:
-    SurfaceTensor of_facet(const MemberFillet         &member,
-                           std::array<unsigned int, 4> nodes,
-                           const std::vector<double>  &u) const;
+    SurfaceTensor of_facet(const MemberFillet        &member,
+                           unsigned int               column,
+                           unsigned int               row,
+                           unsigned int               tooth,
+                           const std::vector<double> &u) const;
 
     const FemSpace *space_;
     /** By body and sorted corners: points of each element's face. */

@@ -131,9 +131,11 @@ namespace vfife
     const GearCaseMember     &member = options_.members[body];
     std::unique_ptr<BodyMesh> mesh   = make_gear_body(teeth, member.with_levels(teeth.blank()));
     member.materials.assign(*mesh, member.section());
-    return {body == 0 ? "pinion" : "gear",
-            member.materials.find(options_.materials, member.section()),
-            std::move(mesh)};
+    Body made(body == 0 ? "pinion" : "gear",
+              member.materials.find(options_.materials, member.section()),
+              std::move(mesh));
+    member.materials.give_temperature(made, member.section());
+    return made;
   }
 
   void GearModelBuilder::add_housing(Model &model) const
