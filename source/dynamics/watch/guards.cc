@@ -2,7 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/text/figure_text.h>
-#include <vfife/dynamics/loads/contact_system.h>
+#include <vfife/dynamics/loads/contact/contact_system.h>
 #include <vfife/dynamics/loads/rigid_walls.h>
 #include <vfife/dynamics/operator/vfife_operator.h>
 #include <vfife/dynamics/update_sums.h>

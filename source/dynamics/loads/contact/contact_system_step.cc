@@ -3,8 +3,8 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/contact/pressure_solver.h>
-#include <vfife/dynamics/loads/contact_of_pair.h>
-#include <vfife/dynamics/loads/contact_system.h>
+#include <vfife/dynamics/loads/contact/contact_of_pair.h>
+#include <vfife/dynamics/loads/contact/contact_system.h>
 #include <vfife/model/constraints/node_constraints.h>
 #include <vfife/model/tooth_contact.h>
 

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/communicator.h>
-#include <vfife/dynamics/loads/contact_of_pair.h>
-#include <vfife/dynamics/loads/contact_ranks.h>
+#include <vfife/dynamics/loads/contact/contact_of_pair.h>
+#include <vfife/dynamics/loads/contact/contact_ranks.h>
 
 #include <algorithm>
 #include <set>

@@ -2,8 +2,8 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/machine_speed.h>
 #include <vfife/base/text/byte_stream.h>
-#include <vfife/dynamics/loads/contact_of_pair.h>
-#include <vfife/dynamics/loads/contact_system.h>
+#include <vfife/dynamics/loads/contact/contact_of_pair.h>
+#include <vfife/dynamics/loads/contact/contact_system.h>
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_dynamics_loads_contact_system_h
-#define vfife_dynamics_loads_contact_system_h
+#ifndef vfife_dynamics_loads_contact_contact_system_h
+#define vfife_dynamics_loads_contact_contact_system_h
 
 #include <vfife/contact/contact_anchor.h>
 #include <vfife/contact/law/friction_law.h>
 #include <vfife/contact/touching_point.h>
-#include <vfife/dynamics/loads/contact_ranks.h>
+#include <vfife/dynamics/loads/contact/contact_ranks.h>
 #include <vfife/dynamics/rigid_velocity.h>
 #include <vfife/model/state.h>
 

@@ -4,8 +4,8 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/text/figure_text.h>
 #include <vfife/contact/surface/facet_integrals.h>
-#include <vfife/dynamics/loads/contact_of_pair.h>
-#include <vfife/dynamics/loads/contact_system.h>
+#include <vfife/dynamics/loads/contact/contact_of_pair.h>
+#include <vfife/dynamics/loads/contact/contact_system.h>
 #include <vfife/model/tooth_contact.h>
 
 #include <Eigen/Eigenvalues>

@@ -2,9 +2,9 @@
 // Who works on what may touch. What these tell each other: contact_ranks_messages.cc.
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/text/byte_stream.h>
-#include <vfife/dynamics/loads/contact_dealing.h>
-#include <vfife/dynamics/loads/contact_of_pair.h>
-#include <vfife/dynamics/loads/contact_ranks.h>
+#include <vfife/dynamics/loads/contact/contact_dealing.h>
+#include <vfife/dynamics/loads/contact/contact_of_pair.h>
+#include <vfife/dynamics/loads/contact/contact_ranks.h>
 #include <vfife/dynamics/operator/pack_layout.h>
 
 #include <algorithm>
