@@ -161,7 +161,7 @@ namespace vfife
 
   double SolidContact::energy() const
   {
-    return contact_.energy();
+    return contact_.sums().energy();
   }
 
   RigidMotion SolidContact::bring(const unsigned int b, RigidVelocity &rate)
@@ -214,7 +214,7 @@ namespace vfife
     contact_.save_forces(forces_);
     contact_.add_step_forces(motions, positions_, velocities_, dt, forces_);
     contact_.find_added(forces_, added_);
-    AssertThrow(!contact_.is_too_deep(),
+    AssertThrow(!contact_.sums().is_too_deep(),
                 ExcPenetration(solids_[0]->time(), contact_.describe_deepest_point()));
     for (unsigned int b = 0; b < 2; ++b)
       {

@@ -2,7 +2,7 @@
 // What ranks get of the contact: whole clusters, shares of heavy ones, or shares of all.
 #include "../tests.h"
 
-#include <vfife/dynamics/loads/contact_dealing.h>
+#include <vfife/dynamics/loads/contact/contact_dealing.h>
 
 #include <algorithm>
 #include <cstdint>

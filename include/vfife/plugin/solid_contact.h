@@ -4,7 +4,7 @@
 
 #include <vfife/base/types.h>
 #include <vfife/contact/law/contact_options.h>
-#include <vfife/dynamics/loads/contact_system.h>
+#include <vfife/dynamics/loads/contact/contact_system.h>
 #include <vfife/dynamics/rigid_velocity.h>
 #include <vfife/model/model.h>
 #include <vfife/model/node_field.h>

@@ -1,16 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/text/figure_text.h>
-#include <vfife/contact/law/facet_penalty.h>
-#include <vfife/contact/surface/facet_integrals.h>
 #include <vfife/dynamics/loads/rigid_walls.h>
 #include <vfife/model/constraints/node_constraints.h>
-#include <vfife/model/load_shares.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <sstream>
 
@@ -18,42 +13,6 @@ namespace vfife
 {
   namespace
   {
-    /** Of each node of a wall its area and the sum over its faces of penalty times area [mm^2],
-     * [N/mm]. */
-    struct NodalSprings
-    {
-      std::vector<double> areas, stiffness;
-    };
-
-    NodalSprings find_springs(const RigidWall &wall, const Body &body)
-    {
-      const Material     &material = body.material_under(wall.nodes, "wall \"" + wall.name + "\"");
-      const double        E = material.youngs_modulus, nu = material.poissons_ratio;
-      const double        modulus = E / (1. - nu * nu);
-      std::vector<double> areas(body.n_nodes(), 0.), stiffness(body.n_nodes(), 0.);
-      const auto         &x = body.node_positions();
-      for (const BoundaryFace &face : find_boundary_faces(body, wall.nodes, wall.faces))
-        {
-          const std::array<Vector3, 4> corners = {
-            {x[face.nodes[0]], x[face.nodes[1]], x[face.nodes[2]], x[face.nodes[3]]}};
-          const double penalty    = compute_facet_penalty(modulus, facet_width(corners));
-          const auto   integrals  = integrate_areas(corners);
-          const double of_node[4] = {integrals[0], integrals[1], integrals[3], integrals[2]};
-          for (unsigned int k = 0; k < 4; ++k)
-            {
-              areas[face.nodes[k]] += of_node[k];
-              stiffness[face.nodes[k]] += penalty * of_node[k];
-            }
-        }
-      NodalSprings springs;
-      for (const unsigned int node : wall.nodes)
-        {
-          springs.areas.push_back(areas[node]);
-          springs.stiffness.push_back(stiffness[node]);
-        }
-      return springs;
-    }
-
     /** Penetrations at both ends of a step without what is to be found, the larger one. */
     double
     largest_depth(const double gap, const double rate, const double free_rate, const double dt)
@@ -62,63 +21,13 @@ namespace vfife
     }
   } // namespace
 
-  RigidWalls::Wall::Wall(const RigidWall &wall)
-    : definition(&wall)
-    , law(wall.penalty.law(wall.penalty))
-    , friction_law(wall.friction.acts() ? wall.friction.law(wall.friction) : nullptr)
-    , mass_per_area(std::numeric_limits<double>::infinity())
-    , penalty(wall.penalty.value)
-    , depth_limit(std::numeric_limits<double>::infinity())
-  {
-  }
-
   RigidWalls::RigidWalls(const Model        &model,
                          const Partition    &partition,
                          const Communicator &communicator)
     : communicator_(communicator)
   {
     for (const RigidWall &definition : model.walls)
-      {
-        // Each node presses with the area of the boundary faces around it whose corners are all of
-        // the set. All nodes of the model are looked at, those of other ranks too, so that ranks
-        // agree.
-        const Body        &body    = model.bodies[definition.body];
-        const NodalSprings springs = find_springs(definition, body);
-        const bool         derived = definition.penalty.is_open();
-        Wall               wall(definition);
-        double             largest_area = 0;
-        for (std::size_t i = 0; i < springs.areas.size(); ++i)
-          if (const double area = springs.areas[i]; area > 0)
-            {
-              wall.mass_per_area =
-                std::min(wall.mass_per_area, body.node_masses()[definition.nodes[i]] / area);
-              largest_area = std::max(largest_area, area);
-              if (derived)
-                wall.penalty = std::max(wall.penalty, springs.stiffness[i] / area);
-            }
-        if (!std::isfinite(wall.mass_per_area))
-          throw InputError("contact \"" + definition.name +
-                           "\": the nodes contain no face of body \"" + body.name() +
-                           "\". Select all nodes of the faces on which the wall acts");
-        for (std::size_t i = 0; i < springs.areas.size(); ++i)
-          {
-            const unsigned int  node  = definition.nodes[i];
-            const std::uint32_t local = partition.local_node[body.first_node + node];
-            if (springs.areas[i] > 0 && local != Partition::absent)
-              wall.nodes.push_back(
-                {local,
-                 partition.owned[local] != 0,
-                 springs.areas[i],
-                 derived ? springs.stiffness[i] / (springs.areas[i] * wall.penalty) : 1.,
-                 body.node_masses()[node],
-                 node,
-                 i});
-          }
-        // Inside a surface the area of a node is that of a facet.
-        if (derived)
-          wall.depth_limit = 0.5 * std::sqrt(largest_area);
-        walls_.push_back(std::move(wall));
-      }
+      walls_.emplace_back(definition, model.bodies[definition.body], partition);
     collect_places(model);
   }
 
@@ -131,13 +40,13 @@ namespace vfife
       return a.local < b.local;
     });
     std::map<unsigned int, std::map<unsigned int, NodeConstraints>> constraints;
-    for (const Wall &wall : walls_)
+    for (const PressedWall &wall : walls_)
       if (constraints.count(wall.definition->body) == 0)
         constraints[wall.definition->body] = combine_constraints(model, wall.definition->body);
     for (const Place &place : places_)
       {
-        const Wall &wall = walls_[place.wall];
-        const Node &node = wall.nodes[place.node];
+        const PressedWall &wall = walls_[place.wall];
+        const Node        &node = wall.nodes[place.node];
         inverse_masses_.push_back(free_directions(constraints[wall.definition->body], node.node) /
                                   node.mass);
       }
@@ -147,7 +56,7 @@ namespace vfife
   {
     // The pressure bears any step; the springs of nodes that stick do not.
     double dt = step;
-    for (const Wall &wall : walls_)
+    for (const PressedWall &wall : walls_)
       if (wall.friction_law)
         dt = std::min(dt, wall.options().vote_of_stick(step));
     return dt;
@@ -155,17 +64,20 @@ namespace vfife
 
   void RigidWalls::set_step(const double dt)
   {
-    for (Wall &wall : walls_)
-      for (Node &node : wall.nodes)
-        node.tangential =
-          std::min(wall.definition->friction.stiffness_ratio * wall.penalty * node.stiffness,
-                   PenaltyOptions::stick_value(node.mass / node.area, dt));
+    for (PressedWall &wall : walls_)
+      wall.set_step(dt);
+  }
+
+  void RigidWalls::set_friction_mode(const FrictionMode mode)
+  {
+    for (PressedWall &wall : walls_)
+      wall.mode = mode;
   }
 
   std::vector<std::string> RigidWalls::describe_penalties() const
   {
     std::vector<std::string> sentences;
-    for (const Wall &wall : walls_)
+    for (const PressedWall &wall : walls_)
       {
         std::ostringstream text;
         set_figure_digits(text, 4);
@@ -178,58 +90,26 @@ namespace vfife
 
   void RigidWalls::add_relaxation_masses(const double fraction, std::vector<double> &masses) const
   {
-    for (const Wall &wall : walls_)
+    for (const PressedWall &wall : walls_)
       for (const Node &node : wall.nodes)
         masses[node.local] +=
           wall.options().relaxation_mass(wall.penalty * node.stiffness * node.area, fraction);
   }
 
-  void RigidWalls::clear_results()
+  void RigidWalls::begin(const double step)
   {
     sums_ = {};
-    for (Wall &wall : walls_)
-      {
-        wall.touches.clear();
-        wall.force = wall.energy = wall.friction_loss = wall.lost_power = 0;
-        wall.friction.setZero();
-      }
+    for (PressedWall &wall : walls_)
+      wall.begin(step);
   }
 
   void RigidWalls::add_forces(const NodeField &positions, NodeField &forces)
   {
-    //   n ^                       1. depth = -n . (x - p) of every node behind the plane
-    //     |                       2. pressures by the contact law
-    //  ---p--------+---- plane    3. they act along n, friction along the plane
-    //              | depth
-    //              o x
-    clear_results();
-    step_              = 0;
-    const auto at_rest = [](const Node &) { return Vector3(Vector3::Zero()); };
-    for (Wall &wall : walls_)
-      {
-        const Vector3            &n = wall.definition->normal, &p = wall.definition->point;
-        std::vector<PressedPoint> pressed;
-        for (Node &node : wall.nodes)
-          {
-            const Vector3 x     = positions.value(node.local);
-            const double  depth = -n.dot(x - p);
-            if (depth > 0)
-              {
-                wall.touches.push_back({&node, depth, 0.});
-                pressed.push_back({depth, wall.penalty * node.stiffness});
-              }
-            else if (has_friction(wall))
-              open(wall, node, x, Vector3::Zero());
-          }
-        wall.law->evaluate(pressed);
-        for (std::size_t i = 0; i < pressed.size(); ++i)
-          {
-            const Node &node         = *wall.touches[i].node;
-            wall.touches[i].pressure = pressed[i].pressure;
-            wall.energy += node.owned ? pressed[i].energy * node.area : 0.;
-          }
-      }
-    press(positions, at_rest, forces);
+    begin(0.);
+    for (PressedWall &wall : walls_)
+      wall.find_touches(positions);
+    press(
+      positions, [](const Node &) { return Vector3(Vector3::Zero()); }, forces);
   }
 
   void RigidWalls::add_step_forces(const NodeField &positions,
@@ -237,8 +117,7 @@ namespace vfife
                                    const double     dt,
                                    NodeField       &forces)
   {
-    clear_results();
-    step_ = dt;
+    begin(dt);
     for (std::size_t first = 0; first < places_.size();)
       {
         std::size_t last = first;
@@ -267,10 +146,10 @@ namespace vfife
     bool touches = false;
     for (std::size_t i = first; i < last; ++i)
       {
-        const Wall    &wall = walls_[places_[i].wall];
-        const Node    &node = wall.nodes[places_[i].node];
-        const Vector3 &n    = wall.definition->normal;
-        TouchingPoint  point; // weighs one node alone
+        const PressedWall &wall = walls_[places_[i].wall];
+        const Node        &node = wall.nodes[places_[i].node];
+        const Vector3     &n    = wall.definition->normal;
+        TouchingPoint      point; // weighs one node alone
         Eigen::Map<Vector3>(point.direction) = n;
         point.slave_weights[0]               = 1.;
         point.area                           = node.area;
@@ -285,14 +164,14 @@ namespace vfife
         solver_.reset(dt, {{v, free, inverse_masses_[first]}});
         for (std::size_t i = first; i < last; ++i)
           {
-            const Wall &wall = walls_[places_[i].wall];
+            const PressedWall &wall = walls_[places_[i].wall];
             solver_.add(points_[i - first], {}, {}, {*wall.law, wall.penalty, wall.damping()});
           }
         solver_.solve(points_);
       }
     for (std::size_t i = first; i < last; ++i)
       {
-        Wall                &wall  = walls_[places_[i].wall];
+        PressedWall         &wall  = walls_[places_[i].wall];
         Node                &node  = wall.nodes[places_[i].node];
         const TouchingPoint &point = points_[i - first];
         // A sum, which the owner counts.
@@ -303,17 +182,18 @@ namespace vfife
           }
         if (point.pressure > 0)
           wall.touches.push_back({&node, std::max(0., -point.gap), point.pressure});
-        else if (has_friction(wall))
-          open(wall, node, x, dt * v);
+        else if (wall.has_friction())
+          wall.open(node, x, dt * v);
       }
   }
 
   template <typename Way>
   void RigidWalls::press(const NodeField &positions, const Way &way, NodeField &forces)
   {
-    for (Wall &wall : walls_)
+    for (PressedWall &wall : walls_)
       {
-        // All copies of a node take its force; sums of forces are the owner's.
+        // Pressure acts along the normal, friction along the plane. All copies of a node take its
+        // force; sums of forces are the owner's.
         for (const Touch &touch : wall.touches)
           {
             Node        &node  = *touch.node;
@@ -324,10 +204,10 @@ namespace vfife
                 wall.force += force;
                 sums_[2] += touch.depth > wall.depth_limit ? 1. : 0.;
               }
-            if (!has_friction(wall))
+            if (!wall.has_friction())
               continue;
             const Vector3 friction =
-              stick(wall, node, touch.pressure, positions.value(node.local), way(node));
+              wall.stick(node, touch.pressure, positions.value(node.local), way(node));
             forces.add(node.local, friction);
             if (node.owned)
               wall.friction += friction;
@@ -347,7 +227,7 @@ namespace vfife
     double             deepest = 0;
     std::ostringstream text;
     set_figure_digits(text, 4);
-    for (const Wall &wall : walls_)
+    for (const PressedWall &wall : walls_)
       for (const Touch &touch : wall.touches)
         {
           const bool   limited = std::isfinite(wall.depth_limit);
@@ -375,7 +255,7 @@ namespace vfife
       return results;
     // Of each wall the normal force and friction.
     std::vector<double> sums;
-    for (const Wall &wall : walls_)
+    for (const PressedWall &wall : walls_)
       {
         sums.insert(sums.end(), {wall.force, wall.friction[0], wall.friction[1], wall.friction[2]});
         for (const Touch &touch : wall.touches)
@@ -392,5 +272,11 @@ namespace vfife
         results.force += std::hypot(s[0], friction.norm());
       }
     return results;
+  }
+
+  void RigidWalls::serialize(ByteStream &stream)
+  {
+    for (PressedWall &wall : walls_)
+      wall.serialize(stream, communicator_);
   }
 } // namespace vfife

@@ -209,7 +209,7 @@ namespace vfife
         watch_contact(state);
         // What friction took before the beginning is no loss of this run.
         if (!first)
-          energy_.add_friction_loss(contact_.friction_loss() + walls_.friction_loss());
+          energy_.add_friction_loss(contact_.sums().friction_loss() + walls_.friction_loss());
 
         // The way of a step meets half the forces of its two ends: those of this instant did half
         // of their work on the way before it and do half on the way after it. Energies of a state
@@ -280,13 +280,13 @@ namespace vfife
   void ExplicitSolver::watch_contact(const State &state)
   {
     // Of surfaces with each other and with walls.
-    const bool touching = contact_.is_pressed() || walls_.is_pressed();
+    const bool touching = contact_.sums().is_pressed() || walls_.is_pressed();
     if (touching && state.step == beginning_->step)
       // None where a step's mean pressure presses points that are not behind a surface yet.
       if (const std::string deepest = describe_deepest(model_, contact_, walls_); !deepest.empty())
         log_.line("deepest point at the start: ", deepest);
     contact_watch_.observe(state.time, dt_, touching);
-    contact_impulse_.add(dt_, contact_.step_force(), contact_.step_torque());
+    contact_impulse_.add(dt_, contact_.sums().tooth_force(), contact_.sums().torque());
     energy_.observe_contact(touching);
   }
 
@@ -359,7 +359,7 @@ namespace vfife
           std::tuple<StepPowers *, double, double>(&work.after, time, time + dt_)})
       {
         powers->drive   = bearings_.drive_power(from, to);
-        powers->contact = contact_.lost_power() + walls_.lost_power();
+        powers->contact = contact_.sums().lost_power() + walls_.lost_power();
         powers->damping += bearings_.damper_drive_power(from, to);
       }
     motions_.add_powers(work);
@@ -375,7 +375,7 @@ namespace vfife
       return;
     check_elements(model_, observed_, measures, communicator_);
     if (may_be_unstable())
-      stability_.check(measures.strain_energy + contact_.energy() + walls_.energy(),
+      stability_.check(measures.strain_energy + contact_.sums().energy() + walls_.energy(),
                        energy_.round_off(observed_.step - beginning_->step),
                        describe_instant(state));
     energy_.check(options_.energy_limit, describe_instant(state), log_);
@@ -433,7 +433,7 @@ namespace vfife
                         motions_.sums(),
                         measures.strain_energy + loads_.compute_spring_energy(observed_.position) +
                           bearings_.energy(),
-                        contact_.energy() + walls_.energy(),
+                        contact_.sums().energy() + walls_.energy(),
                         observed_.step - beginning_->step);
   }
 
@@ -482,7 +482,7 @@ namespace vfife
     state.measured.energy = EnergyLedger();
     state.measured.energy.strain =
       measures.strain_energy + loads_.compute_spring_energy(state.position) + bearings_.energy();
-    state.measured.energy.contact = contact_.energy() + walls_.energy();
+    state.measured.energy.contact = contact_.sums().energy() + walls_.energy();
     state.measured.body_rates.assign(model_.bodies.size(), 0.);
     state.measured.momentum = state.measured.angular_momentum = Vector3::Zero();
   }

@@ -2,6 +2,10 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/dynamics/motion/constraint_motion.h>
+#include <vfife/dynamics/motion/free_rotation.h>
+
+#include <cmath>
+#include <limits>
 
 namespace vfife
 {
@@ -67,6 +71,61 @@ namespace vfife
           node.held = constraints.independent();
         groups_[&leading - model_.constraints.data()].nodes.push_back(std::move(node));
       }
+  }
+
+  void ConstraintMotion::read(const State &state, const MotionFrame frame)
+  {
+    for (Group &group : groups_)
+      if (group.turns_freely())
+        read_rotation(group, state, frame == MotionFrame::fixed, communicator_);
+  }
+
+  void ConstraintMotion::turn_bodies(const Model &model, State &state) const
+  {
+    // Body by body what an angle's tangent is the ratio of: of a hub the sum of its free nodes'
+    // angles (small) over their number, of a shaft in bearings a . (r0 x r) over r0 . r of all
+    // nodes, across the axis.
+    std::vector<double> sums(2 * model.bodies.size(), 0.);
+    for (const Group &group : groups_)
+      if (group.turns_freely() && !model.bodies[group.body].floats)
+        for (const Node &node : group.nodes)
+          if (node.owned && group.has_angle(node))
+            {
+              sums[2 * group.body] += node.angle;
+              sums[2 * group.body + 1] += 1.;
+            }
+    for (unsigned int b = 0; b < model.bodies.size(); ++b)
+      if (model.bodies[b].floats)
+        for (const std::uint32_t i : state.partition->owned_nodes(b))
+          {
+            const Body        &body = model.bodies[b];
+            const unsigned int node = state.partition->global_node[i] - body.first_node;
+            const Vector3     &a    = body.axis.direction;
+            const Vector3      r0   = body.placement(body.node_positions()[node]) - body.axis.point,
+                          r         = state.node_position(i) - body.axis.point;
+            sums[2 * b] += a.dot(r0.cross(r));
+            sums[2 * b + 1] += r0.dot(r) - a.dot(r0) * a.dot(r);
+          }
+    communicator_.sum(sums);
+    // The placement at time zero, turned about the axis by that angle.
+    for (unsigned int b = 0; b < model.bodies.size(); ++b)
+      if (sums[2 * b + 1] != 0)
+        {
+          const Body  &body = model.bodies[b];
+          const double angle =
+            body.floats ? std::atan2(sums[2 * b], sums[2 * b + 1]) : sums[2 * b] / sums[2 * b + 1];
+          const Matrix3 rotation           = rotation_about(body.axis.direction, angle);
+          const Vector3 arm                = body.placement.translation - body.axis.point;
+          state.body_motion[b].rotation    = rotation * body.placement.rotation;
+          state.body_motion[b].translation = body.axis.point + rotation * arm;
+        }
+  }
+
+  void ConstraintMotion::serialize(ByteStream &stream, const Partition &partition)
+  {
+    for (Group &group : groups_)
+      if (group.turns_freely())
+        serialize_rotation(group, stream, partition, communicator_);
   }
 
   void ConstraintMotion::set_part(const double part)
@@ -174,7 +233,7 @@ namespace vfife
       {
         // 1. New angular velocities of free rotations, and the angle of a prescribed one.
         if (group.turns_freely())
-          turn_freely(group, dt, damping[group.body], forces);
+          accelerate_rotation(group, dt, damping[group.body], forces, communicator_);
         const Matrix3 rotation =
           rotation_about(group.axis.direction, turned_angle(group, time + dt, frame));
         for (Node &node : group.nodes)
@@ -183,7 +242,7 @@ namespace vfife
             // relaxation keeps digits that places have not.
             Vector3 x;
             if (group.turns_freely())
-              x = turn_on(group, node, dt);
+              x = turn_on(group.axis, node, dt);
             else if (group.kind == ConstraintKind::directions)
               x = move_led(group, node, dt, damping[group.body], forces.value(node.local));
             else
@@ -205,6 +264,23 @@ namespace vfife
                      sums[group.body]);
           }
       }
+  }
+
+  Vector3 ConstraintMotion::find_way(const Group   &group,
+                                     const Node    &node,
+                                     const double   dt,
+                                     const Vector3 &chord) const
+  {
+    // What the node has gone where it is free, without the difference of two places.
+    Vector3 v = chord;
+    if (group.turns_freely())
+      v = find_chord_velocity(group.axis, node, dt);
+    else if (group.kind == ConstraintKind::directions)
+      v += project_free(group.axis, node.old_position, node.held, node.free_velocity - chord);
+    // More than round-off is a turn that place_prescribed() has made beside it.
+    const double size = 2. * node.old_position.norm() + node.start.norm();
+    return (v - chord).norm() * dt <= 64. * std::numeric_limits<double>::epsilon() * size ? v
+                                                                                          : chord;
   }
 
   void ConstraintMotion::project(const NodeField &positions,

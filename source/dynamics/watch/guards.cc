@@ -2,7 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/text/figure_text.h>
-#include <vfife/dynamics/loads/contact_system.h>
+#include <vfife/dynamics/loads/contact/contact_system.h>
 #include <vfife/dynamics/loads/rigid_walls.h>
 #include <vfife/dynamics/operator/vfife_operator.h>
 #include <vfife/dynamics/update_sums.h>
@@ -124,7 +124,7 @@ namespace vfife
                          const State         &now)
   {
     // All ranks know: the flags have travelled with the reductions of contact and walls.
-    if (contact.is_too_deep())
+    if (contact.sums().is_too_deep())
       throw NumericalError("penetration exceeds the limit " + describe_instant(now) + ": " +
                            contact.describe_deepest_point());
     if (walls.is_too_deep())
@@ -135,8 +135,8 @@ namespace vfife
   std::string
   describe_deepest(const Model &model, const ContactSystem &contact, const RigidWalls &walls)
   {
-    return contact.is_pressed() ? contact.describe_deepest_point()
-                                : walls.describe_deepest_node(model);
+    return contact.sums().is_pressed() ? contact.describe_deepest_point()
+                                       : walls.describe_deepest_node(model);
   }
 
   void check_elements(const Model           &model,

@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/communicator.h>
-#include <vfife/dynamics/loads/contact_system.h>
+#include <vfife/dynamics/loads/contact/contact_system.h>
 #include <vfife/dynamics/loads/rigid_walls.h>
 #include <vfife/dynamics/operator/vfife_operator.h>
 #include <vfife/dynamics/watch/measurement.h>

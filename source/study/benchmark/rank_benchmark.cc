@@ -2,8 +2,8 @@
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/wall_clock.h>
-#include <vfife/dynamics/loads/contact_dealing.h>
-#include <vfife/dynamics/loads/contact_ranks.h>
+#include <vfife/dynamics/loads/contact/contact_dealing.h>
+#include <vfife/dynamics/loads/contact/contact_ranks.h>
 #include <vfife/dynamics/operator/rank_shares.h>
 #include <vfife/study/benchmark/rank_benchmark.h>
 

@@ -133,7 +133,7 @@ namespace vfife
     if (PairMounting::changes(model_))
       preload_.misalignment = PairMounting(model_).measure(state, communicator_);
     // The springs' energy is that of the state just found: to be asked before the next one.
-    preload_.penalty_lag = compute_penalty_lag(solver_.contact().energy(), torque);
+    preload_.penalty_lag = compute_penalty_lag(solver_.contact().sums().energy(), torque);
     preload_.swing       = probe.compute_swing(state, torque);
 
     // 3. Where the run begins.

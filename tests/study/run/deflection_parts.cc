@@ -402,8 +402,8 @@ namespace
                 d0 + g * size,
                 0.5 * g);
     check_close("tilt: lag of the springs over int d^2 dA / int d (x - c) dA",
-                compute_penalty_lag(run.solver.contact().energy(), found.contact_torque) * turning /
-                  second,
+                compute_penalty_lag(run.solver.contact().sums().energy(), found.contact_torque) *
+                  turning / second,
                 1.,
                 1e-4);
   }

@@ -2,14 +2,10 @@
 #ifndef vfife_dynamics_loads_rigid_walls_h
 #define vfife_dynamics_loads_rigid_walls_h
 
-#include <vfife/contact/law/friction_law.h>
 #include <vfife/contact/pressure_solver.h>
-#include <vfife/model/model.h>
-#include <vfife/model/state.h>
+#include <vfife/dynamics/loads/pressed_wall.h>
 
 #include <array>
-#include <cmath>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -60,10 +56,7 @@ namespace vfife
                          NodeField       &forces);
 
     /** Whether nodes that slide take their anchors along, see FrictionMode; they do at first. */
-    void set_friction_mode(FrictionMode mode)
-    {
-      mode_ = mode;
-    }
+    void set_friction_mode(FrictionMode mode);
 
     /** Whether anything pressed at the last evaluation; all ranks. */
     bool is_pressed() const
@@ -117,58 +110,9 @@ namespace vfife
     void serialize(ByteStream &stream);
 
   private:
-    struct Node
-    {
-      std::uint32_t local;
-      bool          owned;
-      double        area;      ///< [mm^2]
-      double        stiffness; ///< penalty over the wall's [-]
-      double        mass;      ///< [t]
-      unsigned int  node;      ///< of the body
-      std::size_t   index;     ///< in the wall's definition
-      /** Stiffness with which it sticks, of the step and the penalty [N/mm^3]. */
-      double tangential = 0;
-      /** Where it sticks while it touches; displacement from there and energy of the spring when it
-       * last moved on [mm], [mJ]. */
-      bool    sticks  = false;
-      Vector3 anchor  = Vector3::Zero();
-      double  elastic = 0, energy = 0;
-    };
-    /** A node that presses: depth behind the plane [mm], pressure [MPa]. */
-    struct Touch
-    {
-      Node  *node;
-      double depth, pressure;
-    };
-    struct Wall
-    {
-      explicit Wall(const RigidWall &definition);
+    using Node  = PressedWall::Node;
+    using Touch = PressedWall::Touch;
 
-      const PenaltyOptions &options() const
-      {
-        return definition->penalty;
-      }
-      /** Gap-rate damping with friction [N s/mm^3]. */
-      double damping() const
-      {
-        return friction_law
-                 ? 2. * definition->friction.damping_ratio * std::sqrt(penalty * mass_per_area)
-                 : 0.;
-      }
-
-      const RigidWall                   *definition;
-      std::unique_ptr<const ContactLaw>  law;
-      std::unique_ptr<const FrictionLaw> friction_law;  ///< none: no friction
-      double                             mass_per_area; ///< least of its nodes [t/mm^2]
-      double                             penalty;       ///< largest [N/mm^3]
-      double                             depth_limit;   ///< see is_too_deep() [mm]
-      std::vector<Node>                  nodes;
-
-      /** Of the last evaluation, this rank. */
-      std::vector<Touch> touches;
-      double             force = 0, energy = 0, friction_loss = 0, lost_power = 0;
-      Vector3            friction = Vector3::Zero(); ///< [N]
-    };
     /** A node of a wall; nodes of the model at several walls have neighbouring places. */
     struct Place
     {
@@ -176,12 +120,9 @@ namespace vfife
       std::uint32_t local;
     };
 
-    bool has_friction(const Wall &wall) const
-    {
-      return wall.friction_law && mode_ != FrictionMode::none;
-    }
     void collect_places(const Model &model);
-    void clear_results();
+    /** Begins an evaluation of a @p step [s]; 0: at rest. */
+    void begin(double step);
     /** Finds the touches of a node of the model, at @p first to before @p last. */
     void find_step_touches(std::size_t      first,
                            std::size_t      last,
@@ -191,19 +132,15 @@ namespace vfife
                            const NodeField &forces);
     /** Forces of the touches. @p way: of a node since the evaluation before. */
     template <typename Way>
-    void    press(const NodeField &positions, const Way &way, NodeField &forces);
-    void    open(Wall &wall, Node &node, const Vector3 &x, const Vector3 &way);
-    Vector3 stick(Wall &wall, Node &node, double pressure, const Vector3 &x, const Vector3 &way);
+    void press(const NodeField &positions, const Way &way, NodeField &forces);
 
-    const Communicator &communicator_;
-    std::vector<Wall>   walls_;
-    std::vector<Place>  places_;
+    const Communicator      &communicator_;
+    std::vector<PressedWall> walls_;
+    std::vector<Place>       places_;
     std::vector<Matrix3>
                    inverse_masses_; ///< of the places' nodes, zero along held directions [1/t]
     PressureSolver solver_{0., {}};
     std::vector<TouchingPoint> points_; ///< of one node
-    FrictionMode               mode_ = FrictionMode::follows;
-    double                     step_ = 0; ///< of the evaluation [s]; 0: at rest
     /** Of the last evaluation, all ranks: normal force, energy, number of nodes that are too
      * deep, friction loss, power lost in damping. */
     std::array<double, 5> sums_ = {};

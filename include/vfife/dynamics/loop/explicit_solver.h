@@ -5,7 +5,7 @@
 #include <vfife/contact/contact_impulse.h>
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/dynamics/loads/bearing_loads.h>
-#include <vfife/dynamics/loads/contact_system.h>
+#include <vfife/dynamics/loads/contact/contact_system.h>
 #include <vfife/dynamics/loads/nodal_loads.h>
 #include <vfife/dynamics/loads/rigid_walls.h>
 #include <vfife/dynamics/loads/torque_loads.h>

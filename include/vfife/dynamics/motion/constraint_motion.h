@@ -2,8 +2,8 @@
 #ifndef vfife_dynamics_motion_constraint_motion_h
 #define vfife_dynamics_motion_constraint_motion_h
 
+#include <vfife/dynamics/motion/constrained_group.h>
 #include <vfife/dynamics/motion/nodal_update.h>
-#include <vfife/dynamics/motion/prescribed_place.h>
 #include <vfife/model/constraints/node_constraints.h>
 #include <vfife/model/state.h>
 
@@ -107,45 +107,9 @@ namespace vfife
                               std::vector<Reaction> &reactions) const;
 
   private:
-    struct Node
-    {
-      std::uint32_t local;
-      bool          owned;
-      double        mass;       ///< lumped
-      double        moved_mass; ///< see set_masses()
-      Vector3       start;      ///< undeformed position at time zero relative to the axis point
-      Vector3       old_position = Vector3::Zero(), old_velocity = Vector3::Zero();
-      double        angle = 0, rate = 0; ///< free rotations
+    using Node  = ConstrainedNode;
+    using Group = ConstrainedGroup;
 
-      HeldDirections held;                            ///< of nodes led in directions
-      Vector3        free_velocity = Vector3::Zero(); ///< without the prescribed displacements
-      int            shared        = -1; ///< index in shared_ of nodes in several constraints
-    };
-
-    struct Group
-    {
-      const Constraint *definition;
-      ConstraintKind    kind;
-      unsigned int      body;
-      Axis              axis;
-      std::vector<Node> nodes;
-
-      bool turns_freely() const
-      {
-        return kind == ConstraintKind::free_rotation || kind == ConstraintKind::rigid_hub;
-      }
-
-      /** Whether the node has an angle about the axis. On the axis itself there is none: a node
-       * there stays where it is, whatever turns around it. */
-      bool has_angle(const Node &node) const
-      {
-        return axis.direction.cross(node.start).norm() > on_axis_distance;
-      }
-    };
-
-    void share_rotation(Group &group) const;
-    /** Angles of the group's nodes less than half a turn from their mean. */
-    void   count_alike(Group &group) const;
     void   add_nodes(unsigned int body, const Partition &partition);
     void   compare_first_values() const;
     double factor(const Constraint &constraint) const;
@@ -163,14 +127,9 @@ namespace vfife
                       const Vector3         &place,
                       const Vector3         &reaction,
                       std::vector<Reaction> &reactions) const;
-    /** Turns a node with its rate: the new place. */
-    static Vector3 turn_on(const Group &group, Node &node, double dt);
     /** The velocity of the step with which the node has got where it is, of which @p chord has the
      * digits of places alone. */
     Vector3 find_way(const Group &group, const Node &node, double dt, const Vector3 &chord) const;
-    static Vector3 turned(const Axis &axis, const Vector3 &start, double angle);
-    void
-    turn_freely(Group &group, double dt, const BodyDamping &damping, const NodeField &forces) const;
     static void add_sums(const Group       &group,
                          const Node        &node,
                          double             dt,

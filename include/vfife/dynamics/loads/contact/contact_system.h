@@ -1,17 +1,17 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_dynamics_loads_contact_system_h
-#define vfife_dynamics_loads_contact_system_h
+#ifndef vfife_dynamics_loads_contact_contact_system_h
+#define vfife_dynamics_loads_contact_contact_system_h
 
 #include <vfife/contact/contact_anchor.h>
 #include <vfife/contact/law/friction_law.h>
 #include <vfife/contact/touching_point.h>
-#include <vfife/dynamics/loads/contact_ranks.h>
+#include <vfife/dynamics/loads/contact/contact_ranks.h>
+#include <vfife/dynamics/loads/contact/contact_sums.h>
+#include <vfife/dynamics/loads/contact/implicit_pressures.h>
 #include <vfife/dynamics/rigid_velocity.h>
 #include <vfife/model/state.h>
 
-#include <array>
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -20,9 +20,7 @@ namespace vfife
   class ByteStream;
   class Communicator;
   class Contact;
-  struct ContactOfPair;
   struct ContactTimes;
-  struct Model;
 
   /**
    * All contact pairs of a model in the explicit loop: brings the surface nodes that may touch
@@ -50,14 +48,6 @@ namespace vfife
 
     /** Penalty of each pair, in the mean of its points [N/mm^3]. */
     std::vector<double> penalties() const;
-
-    /** Sentences about slaves that are clearly coarser than their masters: which surface should be
-     * the slave, and what it costs that it is not. */
-    std::vector<std::string> describe_coarse_slaves() const;
-
-    /** Sentences about pairs that are integrated implicitly and whose penalty is so high that
-     * impacts leave it rattling at the step @p dt [s]. */
-    std::vector<std::string> describe_rattling(double dt) const;
 
     /**
      * Broad search: which surface groups (teeth) can touch during the next @p duration [s], from
@@ -107,31 +97,14 @@ namespace vfife
     /** Sets @p added, zero at first, to what has been added to @p forces since save_forces(). */
     void find_added(const NodeField &forces, NodeField &added);
 
-    /** Whether anything pressed at the last add_forces(); all ranks. */
-    bool is_pressed() const;
-    /** Energy stored in the contact springs at the last add_forces() [mJ]; all ranks. That of a
-     * step that is integrated implicitly may be negative where a point comes or goes. */
-    double energy() const;
-    /** Of a gear pair at the last add_step_forces(): sum of the magnitudes of the tooth pairs'
-     * forces [N], and torque on the driven member [N mm]; all ranks. */
-    double step_force() const;
-    double step_torque() const;
-    /** Power lost in contact damping at the last add_forces() [mW = mJ/s]; all ranks. */
-    double lost_power() const;
-    /** Lost in friction between the last two add_forces() [mJ]; all ranks. */
-    double friction_loss() const;
+    /** Of the last add_forces() or add_step_forces(). */
+    const ContactSums &sums() const
+    {
+      return sums_;
+    }
 
     /** Whether points that slide take their anchors along, see FrictionMode; they do at first. */
     void set_friction_mode(FrictionMode mode);
-
-
-    /** Whether a penetration at the last add_forces() is beyond its pair's penetration limit; all
-     * ranks. */
-    bool is_too_deep() const;
-
-    /** In words: the deepest point of the last add_forces() over its pair's limit, with teeth,
-     * facets, depth and limit. Collective. */
-    std::string describe_deepest_point() const;
 
     /** Those of the model. */
     std::size_t n_contacts() const
@@ -139,8 +112,11 @@ namespace vfife
       return pairs_.size();
     }
 
-    /** Pairs of surface groups that press on each other, summed over ranks. Collective. */
+    /** See contact_report.h; the first two are collective. */
     std::vector<ToothContact> collect_results() const;
+    std::string               describe_deepest_point() const;
+    std::vector<std::string>  describe_coarse_slaves() const;
+    std::vector<std::string>  describe_rattling(double dt) const;
 
     /** For checkpoints: what this rank knows of the pairs that may touch. */
     void serialize(ByteStream &stream);
@@ -159,15 +135,10 @@ namespace vfife
     std::size_t n_listed_points() const;
 
   private:
-    /** A point in the solution for the pressures, and whose it is. */
-    struct SharedPoint;
-
-    void    number_nodes();
-    Matrix3 inverse_mass(unsigned int number) const;
-    void    bring_motion(const NodeField &positions,
-                         const NodeField &velocities,
-                         const NodeField *forces,
-                         double           dt);
+    void bring_motion(const NodeField &positions,
+                      const NodeField &velocities,
+                      const NodeField *forces,
+                      double           dt);
     /** Does the work of this rank, and notes where it fails. */
     void evaluate(const std::function<void()> &work);
     void press_explicitly(const std::vector<RigidMotion> &body_motion,
@@ -180,40 +151,24 @@ namespace vfife
                           const NodeField                &velocities,
                           double                          dt,
                           NodeField                      &forces);
-    void find_pressures(double dt, std::vector<std::vector<TouchingPoint>> &points);
-    std::vector<TouchingPoint> solve_cluster(double                                  dt,
-                                             const std::vector<const SharedPoint *> &shared);
     /** Forces of points, whose nodes go to touched_. */
     void press(ContactOfPair &pair, const std::vector<TouchingPoint> &points, double dt);
-    void sum_results();
-    /** tooth_sums_ of this rank. */
-    void sum_teeth();
     void hand_over_forces(NodeField &forces);
     /** To the ranks that have been chosen. Collective. */
     void                       move_points();
     std::vector<AnchorOfPoint> gather_anchors(const Contact &contact) const;
 
-    const Model        &model_;
-    const Partition    &partition_;
-    const Communicator &communicator_;
-    ContactRanks::Pairs pairs_;
-    ContactRanks        ranks_;
-    bool                needs_velocities_ = false; ///< a pair has damping or friction
-    bool                is_implicit_      = false; ///< a pair is
-    /** Of the nodes of all surfaces by their numbers: 1/m [1/t]; instead, of nodes with held
-     * directions, a matrix that is zero along these. */
-    std::vector<double>             inverse_masses_;
-    std::map<unsigned int, Matrix3> held_;
-    /** Place of a node in the solution for the pressures, while there is one. */
-    std::vector<unsigned int>       places_;
-    std::vector<ContactRanks::Node> touched_; ///< by this rank's points
-    /** Of the last add_forces(), all ranks: energy, lost power, number of ranks with a penetration
-     * that is too deep, friction loss, integral of the pressure, number of ranks that failed. */
-    std::array<double, 6> sums_ = {};
-    /** Of a gear pair, all ranks: torque on the driven member, then the force of each candidate
-     * pair of teeth. */
-    std::vector<double> tooth_sums_;
-    std::string         failure_; ///< of this rank
+    const Model             &model_;
+    const Partition         &partition_;
+    const Communicator      &communicator_;
+    ContactPairs             pairs_;
+    ContactRanks             ranks_;
+    ImplicitPressures        implicit_;
+    bool                     needs_velocities_ = false; ///< a pair has damping or friction
+    bool                     is_implicit_      = false; ///< a pair is
+    std::vector<ContactNode> touched_;                  ///< by this rank's points
+    ContactSums              sums_;
+    std::string              failure_; ///< of this rank
     /** Local nodes of save_forces(), what it has found there, and nodes set by find_added(). */
     std::vector<std::uint32_t> saved_nodes_, shown_nodes_;
     std::vector<Vector3>       saved_forces_;

@@ -1,11 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// What ContactSystem tells of the last evaluation.
-
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/text/figure_text.h>
 #include <vfife/contact/surface/facet_integrals.h>
-#include <vfife/dynamics/loads/contact_of_pair.h>
-#include <vfife/dynamics/loads/contact_system.h>
+#include <vfife/dynamics/loads/contact/contact_of_pair.h>
+#include <vfife/dynamics/loads/contact/contact_report.h>
 #include <vfife/model/tooth_contact.h>
 
 #include <Eigen/Eigenvalues>
@@ -81,162 +79,14 @@ namespace vfife
     }
   } // namespace
 
-  void ContactSystem::append_sums(std::vector<double *> &numbers)
-  {
-    for (double &sum : sums_)
-      numbers.push_back(&sum);
-    for (double &sum : tooth_sums_)
-      numbers.push_back(&sum);
-  }
-
-  void ContactSystem::save_forces(const NodeField &forces)
-  {
-    saved_nodes_.clear();
-    saved_forces_.clear();
-    for (const auto &pair : pairs_)
-      for (const ContactSurface *surface : pair->surfaces())
-        for (const unsigned int i : *surface->active)
-          if (surface->local[i] != Partition::absent)
-            {
-              saved_nodes_.push_back(surface->local[i]);
-              saved_forces_.push_back(forces.value(surface->local[i]));
-            }
-  }
-
-  void ContactSystem::find_added(const NodeField &forces, NodeField &added)
-  {
-    for (const std::uint32_t node : shown_nodes_)
-      added.set(node, Vector3::Zero());
-    for (std::size_t k = 0; k < saved_nodes_.size(); ++k)
-      added.set(saved_nodes_[k], forces.value(saved_nodes_[k]) - saved_forces_[k]);
-    shown_nodes_ = saved_nodes_;
-  }
-
-  bool ContactSystem::is_pressed() const
-  {
-    return sums_[4] > 0;
-  }
-
-  double ContactSystem::energy() const
-  {
-    return sums_[0];
-  }
-
-  double ContactSystem::step_force() const
-  {
-    double sum = 0;
-    for (std::size_t i = 1; i + 2 < tooth_sums_.size(); i += 3)
-      sum += Vector3(tooth_sums_[i], tooth_sums_[i + 1], tooth_sums_[i + 2]).norm();
-    return sum;
-  }
-
-  double ContactSystem::step_torque() const
-  {
-    return tooth_sums_.empty() ? 0. : tooth_sums_.front();
-  }
-
-  double ContactSystem::lost_power() const
-  {
-    return sums_[1];
-  }
-
-  double ContactSystem::friction_loss() const
-  {
-    return sums_[3];
-  }
-
-  bool ContactSystem::is_too_deep() const
-  {
-    return sums_[2] > 0;
-  }
-
-  std::string ContactSystem::describe_deepest_point() const
-  {
-    // The deepest of this rank in words, relative to the limit of its pair ...
-    double             deepest = 0; // over the limit
-    std::ostringstream text;
-    set_figure_digits(text, 4);
-    for (const auto &pair : pairs_)
-      for (const ContactPoint &point : pair->contact.points())
-        {
-          const double ratio = -point.gap / pair->penetration_limit();
-          if (!(ratio > deepest))
-            continue;
-          deepest                       = ratio;
-          const ContactSurface &pressed = point.swapped ? pair->slave : pair->master;
-          const ContactSurface &from    = point.swapped ? pair->master : pair->slave;
-          const auto place = [&](const ContactSurface &surface, const unsigned int facet) {
-            return "\"" + model_.bodies[surface.body].name() + "\", tooth or group " +
-                   std::to_string(surface.facets->group[facet]) + ", facet " +
-                   std::to_string(facet);
-          };
-          text.str("");
-          text << pair->definition.side << " side: " << place(from, point.slave_facet) << ", is "
-               << 1e3 * -point.gap << " um deep in " << place(pressed, point.master_facet)
-               << " (limit " << 1e3 * pair->penetration_limit()
-               << " um, Contact/abort penetration ratio)";
-        }
-    // ... then the rank that has the deepest of all.
-    const std::vector<double>      all   = communicator_.all_gather(deepest);
-    const std::vector<std::string> texts = communicator_.all_gather(text.str());
-    return texts[std::max_element(all.begin(), all.end()) - all.begin()];
-  }
-
-  std::vector<std::string> ContactSystem::describe_coarse_slaves() const
-  {
-    std::vector<std::string> sentences;
-    for (const auto &pair : pairs_)
-      {
-        const Contact &contact = pair->contact;
-        if (contact.coarseness() < clearly_coarser)
-          continue;
-        // How much more than its own area a node of the master must reckon with.
-        double                     most    = 1;
-        const NodeSprings          springs = contact.node_springs();
-        const std::vector<double> &own     = springs.master_areas();
-        const std::vector<double>  carried = springs.carried_areas()[1];
-        for (std::size_t i = 0; i < own.size(); ++i)
-          if (own[i] > 0)
-            most = std::max(most, carried[i] / own[i]);
-        std::ostringstream text;
-        set_figure_digits(text, 3);
-        text << "contact " << pair->definition.side << ": facets of the slave \""
-             << model_.bodies[pair->slave.body].name() << "\" are " << contact.coarseness()
-             << " times as wide as those of the master \""
-             << model_.bodies[pair->master.body].name()
-             << "\", where the contact area of a node is up to " << most
-             << " times its own. Make the finer surface the slave";
-        sentences.push_back(text.str());
-      }
-    return sentences;
-  }
-
-  std::vector<std::string> ContactSystem::describe_rattling(const double dt) const
-  {
-    std::vector<std::string> sentences;
-    for (const auto &pair : pairs_)
-      {
-        const double rattling = pair->rattling(dt);
-        if (!pair->is_implicit() || !(rattling > 1.))
-          continue;
-        std::ostringstream text;
-        set_figure_digits(text, 3);
-        text << "contact " << pair->definition.side
-             << ": after a separation, contact forces may oscillate between steps of " << 1e9 * dt
-             << " ns at points stiffer than " << pair->contact.penalty() / rattling
-             << " N/mm^3; the stiffest point has " << pair->contact.penalty()
-             << " N/mm^3. Set a smaller Dynamics/time step factor";
-        sentences.push_back(text.str());
-      }
-    return sentences;
-  }
-
-  std::vector<ToothContact> ContactSystem::collect_results() const
+  std::vector<ToothContact> collect_pressed_teeth(const Model        &model,
+                                                  const ContactPairs &pairs,
+                                                  const Communicator &communicator)
   {
     // Pairs of groups are the same on all ranks: one sum and one maximum over the ranks for all.
     std::vector<std::vector<PatchMoments>> patches;
     std::vector<double>                    sums, maxima;
-    for (const auto &pair : pairs_)
+    for (const auto &pair : pairs)
       {
         for (const GroupPairResult &r : pair->contact.results())
           {
@@ -254,20 +104,20 @@ namespace vfife
             maxima.insert(maxima.end(), {r.largest_pressure, r.largest_penetration});
           }
         // How wide contacts are is asked of general models: Hertz tells of gear pairs.
-        if (model_.transmissions.empty())
+        if (model.transmissions.empty())
           patches.push_back(add_patches(*pair));
       }
-    communicator_.sum(sums);
-    communicator_.max(maxima);
+    communicator.sum(sums);
+    communicator.max(maxima);
     for (auto &of_pair : patches)
       for (PatchMoments &patch : of_pair)
-        communicator_.sum(patch.data(), patch.size());
+        communicator.sum(patch.data(), patch.size());
 
     std::vector<ToothContact> teeth;
     const double             *s = sums.data(), *largest = maxima.data();
-    for (std::size_t p = 0; p < pairs_.size(); ++p)
+    for (std::size_t p = 0; p < pairs.size(); ++p)
       {
-        const auto &results = pairs_[p]->contact.results();
+        const auto &results = pairs[p]->contact.results();
         // Those that press, s[6] being the normal force.
         for (std::size_t i = 0; i < results.size(); ++i, s += 8, largest += 2)
           {
@@ -280,7 +130,7 @@ namespace vfife
             sum.area                = s[7];
             sum.largest_pressure    = largest[0];
             sum.largest_penetration = largest[1];
-            teeth.push_back(make_tooth_contact(model_, p, sum));
+            teeth.push_back(make_tooth_contact(model, p, sum));
             if (!patches.empty())
               {
                 const PatchMoments &patch = patches[p][i];
@@ -292,18 +142,85 @@ namespace vfife
     return teeth;
   }
 
-  void ContactSystem::measure_times(ContactTimes *times)
+  std::string describe_deepest_point(const Model        &model,
+                                     const ContactPairs &pairs,
+                                     const Communicator &communicator)
   {
-    times_ = times;
-    for (const auto &pair : pairs_)
-      pair->contact.measure_times(times);
+    // The deepest of this rank in words, relative to the limit of its pair ...
+    double             deepest = 0; // over the limit
+    std::ostringstream text;
+    set_figure_digits(text, 4);
+    for (const auto &pair : pairs)
+      for (const ContactPoint &point : pair->contact.points())
+        {
+          const double ratio = -point.gap / pair->penetration_limit();
+          if (!(ratio > deepest))
+            continue;
+          deepest                       = ratio;
+          const ContactSurface &pressed = point.swapped ? pair->slave : pair->master;
+          const ContactSurface &from    = point.swapped ? pair->master : pair->slave;
+          const auto place = [&](const ContactSurface &surface, const unsigned int facet) {
+            return "\"" + model.bodies[surface.body].name() + "\", tooth or group " +
+                   std::to_string(surface.facets->group[facet]) + ", facet " +
+                   std::to_string(facet);
+          };
+          text.str("");
+          text << pair->definition.side << " side: " << place(from, point.slave_facet) << ", is "
+               << 1e3 * -point.gap << " um deep in " << place(pressed, point.master_facet)
+               << " (limit " << 1e3 * pair->penetration_limit()
+               << " um, Contact/abort penetration ratio)";
+        }
+    // ... then the rank that has the deepest of all.
+    const std::vector<double>      all   = communicator.all_gather(deepest);
+    const std::vector<std::string> texts = communicator.all_gather(text.str());
+    return texts[std::max_element(all.begin(), all.end()) - all.begin()];
   }
 
-  std::size_t ContactSystem::n_listed_points() const
+  std::vector<std::string> describe_coarse_slaves(const Model &model, const ContactPairs &pairs)
   {
-    std::size_t n = 0;
-    for (const auto &pair : pairs_)
-      n += pair->contact.n_listed_points();
-    return n;
+    std::vector<std::string> sentences;
+    for (const auto &pair : pairs)
+      {
+        const Contact &contact = pair->contact;
+        if (contact.coarseness() < clearly_coarser)
+          continue;
+        // How much more than its own area a node of the master must reckon with.
+        double                     most    = 1;
+        const NodeSprings          springs = contact.node_springs();
+        const std::vector<double> &own     = springs.master_areas();
+        const std::vector<double>  carried = springs.carried_areas()[1];
+        for (std::size_t i = 0; i < own.size(); ++i)
+          if (own[i] > 0)
+            most = std::max(most, carried[i] / own[i]);
+        std::ostringstream text;
+        set_figure_digits(text, 3);
+        text << "contact " << pair->definition.side << ": facets of the slave \""
+             << model.bodies[pair->slave.body].name() << "\" are " << contact.coarseness()
+             << " times as wide as those of the master \"" << model.bodies[pair->master.body].name()
+             << "\", where the contact area of a node is up to " << most
+             << " times its own. Make the finer surface the slave";
+        sentences.push_back(text.str());
+      }
+    return sentences;
+  }
+
+  std::vector<std::string> describe_rattling(const ContactPairs &pairs, const double dt)
+  {
+    std::vector<std::string> sentences;
+    for (const auto &pair : pairs)
+      {
+        const double rattling = pair->rattling(dt);
+        if (!pair->is_implicit() || !(rattling > 1.))
+          continue;
+        std::ostringstream text;
+        set_figure_digits(text, 3);
+        text << "contact " << pair->definition.side
+             << ": after a separation, contact forces may oscillate between steps of " << 1e9 * dt
+             << " ns at points stiffer than " << pair->contact.penalty() / rattling
+             << " N/mm^3; the stiffest point has " << pair->contact.penalty()
+             << " N/mm^3. Set a smaller Dynamics/time step factor";
+        sentences.push_back(text.str());
+      }
+    return sentences;
   }
 } // namespace vfife

@@ -1,11 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// Who works on what may touch. What these tell each other: contact_ranks_messages.cc.
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/text/byte_stream.h>
-#include <vfife/dynamics/loads/contact_dealing.h>
-#include <vfife/dynamics/loads/contact_of_pair.h>
-#include <vfife/dynamics/loads/contact_ranks.h>
-#include <vfife/dynamics/operator/pack_layout.h>
+#include <vfife/dynamics/loads/contact/contact_dealing.h>
+#include <vfife/dynamics/loads/contact/contact_of_pair.h>
+#include <vfife/dynamics/loads/contact/contact_ranks.h>
 
 #include <algorithm>
 #include <numeric>
@@ -24,17 +22,6 @@ namespace vfife
      * some 40 steps, each with a sixteenth of it. */
     constexpr double work_of_node = 2.5;
 
-    std::vector<std::vector<unsigned int>> find_group_nodes(const FacetSurface &surface)
-    {
-      std::vector<std::set<unsigned int>> nodes(surface.n_groups);
-      for (std::size_t f = 0; f < surface.facets.size(); ++f)
-        nodes[surface.group[f]].insert(surface.facets[f].begin(), surface.facets[f].end());
-      std::vector<std::vector<unsigned int>> lists;
-      for (const auto &of_group : nodes)
-        lists.emplace_back(of_group.begin(), of_group.end());
-      return lists;
-    }
-
     /** Representative of a set, whose path to it is halved on the way. */
     unsigned int find_root(std::vector<unsigned int> &parents, unsigned int i)
     {
@@ -51,48 +38,22 @@ namespace vfife
   }
 
   ContactRanks::ContactRanks(const Model        &model,
-                             const Pairs        &pairs,
+                             const ContactPairs &pairs,
                              const Communicator &communicator)
     : communicator_(communicator)
+    , nodes_(model, pairs, communicator.size())
+    , messages_(nodes_, communicator)
   {
-    for (const auto &pair : pairs)
-      for (ContactSurface *surface : pair->surfaces())
-        {
-          surfaces_.push_back(surface);
-          group_nodes_.push_back(find_group_nodes(*surface->facets));
-        }
-    if (communicator.size() == 1)
-      return;
-    const std::vector<std::uint32_t> rank_of_element = assign_elements(model, communicator.size());
-    for (const ContactSurface *surface : surfaces_)
-      {
-        // Nodes of the body by their number in the surface.
-        const Body                &body = model.bodies[surface->body];
-        std::vector<std::uint32_t> number(body.n_nodes(), Partition::absent);
-        for (std::size_t i = 0; i < surface->facets->nodes.size(); ++i)
-          number[surface->facets->nodes[i]] = i;
-        std::vector<Ranks> holders(surface->facets->nodes.size());
-        for (std::uint32_t e = 0; e < body.n_elements(); ++e)
-          for (const std::uint32_t node : body.elements()[e])
-            if (number[node] != Partition::absent)
-              {
-                Ranks     &ranks = holders[number[node]];
-                const auto rank  = rank_of_element[body.first_element + e];
-                const auto place = std::lower_bound(ranks.begin(), ranks.end(), rank);
-                if (place == ranks.end() || *place != rank)
-                  ranks.insert(place, rank);
-              }
-        holders_.push_back(std::move(holders));
-      }
   }
 
   const std::vector<unsigned int> &ContactRanks::nodes_of(const Entry       &entry,
                                                           const unsigned int side) const
   {
-    return group_nodes_[2 * entry.pair + side][side == 0 ? entry.slave_group : entry.master_group];
+    return nodes_
+      .of_groups[2 * entry.pair + side][side == 0 ? entry.slave_group : entry.master_group];
   }
 
-  bool ContactRanks::choose(const Pairs &pairs)
+  bool ContactRanks::choose(const ContactPairs &pairs)
   {
     const bool others = find_clusters(pairs);
     if (communicator_.size() == 1)
@@ -111,7 +72,7 @@ namespace vfife
     return (others || ranks != of_clusters_) && set_ranks(ranks);
   }
 
-  bool ContactRanks::find_clusters(const Pairs &pairs)
+  bool ContactRanks::find_clusters(const ContactPairs &pairs)
   {
     std::vector<Entry>        entries;
     std::vector<unsigned int> first_entry;
@@ -133,8 +94,8 @@ namespace vfife
       for (unsigned int side = 0; side < 2; ++side)
         for (const unsigned int i : nodes_of(entries_[e], side))
           {
-            const unsigned int number      = surfaces_[2 * entries_[e].pair + side]->numbers[i];
-            const unsigned int other       = entry_of_node.emplace(number, e).first->second;
+            const unsigned int number = nodes_.surfaces[2 * entries_[e].pair + side]->numbers[i];
+            const unsigned int other  = entry_of_node.emplace(number, e).first->second;
             parents[find_root(parents, e)] = find_root(parents, other);
           }
     // Numbered as they come.
@@ -151,7 +112,7 @@ namespace vfife
     return true;
   }
 
-  std::vector<double> ContactRanks::find_work(const Pairs &pairs) const
+  std::vector<double> ContactRanks::find_work(const ContactPairs &pairs) const
   {
     std::vector<double> of_entries;
     for (const auto &pair : pairs)
@@ -177,7 +138,7 @@ namespace vfife
       for (unsigned int side = 0; side < 2; ++side)
         for (const unsigned int i : nodes_of(entry, side))
           {
-            const Ranks &holders = holders_[2 * entry.pair + side][i];
+            const Ranks &holders = nodes_.holders[2 * entry.pair + side][i];
             ranks.insert(holders.begin(), holders.end());
           }
     for (std::uint32_t rank = 0; rank < communicator_.size() && ranks.size() < least_number; ++rank)
@@ -271,7 +232,7 @@ namespace vfife
                 for (unsigned int side = 0; side < 2; ++side)
                   for (const unsigned int i : nodes_of(entries_[e], side))
                     {
-                      const auto owner = holders_[2 * entries_[e].pair + side][i].front();
+                      const auto owner = nodes_.holders[2 * entries_[e].pair + side][i].front();
                       if (left.count(owner) == 1)
                         ++merits[owner].second;
                     }
@@ -306,8 +267,7 @@ namespace vfife
     ranks_of_ = std::move(ranks_of);
 
     const std::uint32_t me = communicator_.rank();
-    fellows_               = Ranks(1, me);
-    place_                 = 0;
+    Ranks               fellows(1, me);
     shares_.assign(first_entry_.size(), {});
     for (std::size_t e = 0; e < entries_.size(); ++e)
       {
@@ -319,18 +279,26 @@ namespace vfife
             share = {static_cast<unsigned int>(place - ranks.begin()),
                      static_cast<unsigned int>(ranks.size())};
             if (share.number > 1)
-              {
-                fellows_ = ranks;
-                place_   = share.place;
-              }
+              fellows = ranks;
           }
         shares_[entries_[e].pair].push_back(share);
       }
-    find_messages();
+    messages_.set_workers(find_workers(), fellows);
     return changes;
   }
 
-  void ContactRanks::serialize(const Pairs &pairs, ByteStream &stream)
+  std::vector<std::map<unsigned int, const ContactRanks::Ranks *>>
+  ContactRanks::find_workers() const
+  {
+    std::vector<std::map<unsigned int, const Ranks *>> workers(nodes_.surfaces.size());
+    for (std::size_t e = 0; e < entries_.size(); ++e)
+      for (unsigned int side = 0; side < 2; ++side)
+        for (const unsigned int i : nodes_of(entries_[e], side))
+          workers[2 * entries_[e].pair + side][i] = &of_clusters_[clusters_[e]];
+    return workers;
+  }
+
+  void ContactRanks::serialize(const ContactPairs &pairs, ByteStream &stream)
   {
     find_clusters(pairs);
     std::vector<std::uint32_t> numbers; // of each candidate: how many ranks, these

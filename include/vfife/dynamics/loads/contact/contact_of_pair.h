@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_dynamics_loads_contact_of_pair_h
-#define vfife_dynamics_loads_contact_of_pair_h
+#ifndef vfife_dynamics_loads_contact_contact_of_pair_h
+#define vfife_dynamics_loads_contact_contact_of_pair_h
 
 #include <vfife/contact/contact.h>
 #include <vfife/model/model.h>

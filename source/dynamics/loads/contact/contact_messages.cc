@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/communicator.h>
-#include <vfife/dynamics/loads/contact_of_pair.h>
-#include <vfife/dynamics/loads/contact_ranks.h>
+#include <vfife/dynamics/loads/contact/contact_messages.h>
+#include <vfife/dynamics/loads/contact/contact_of_pair.h>
 
 #include <algorithm>
 #include <set>
@@ -16,29 +16,33 @@ namespace vfife
     constexpr std::size_t width = 3; // numbers a node
   }                                  // namespace
 
-  void ContactRanks::find_messages()
+  ContactMessages::ContactMessages(const ContactNodes &nodes, const Communicator &communicator)
+    : nodes_(nodes)
+    , communicator_(communicator)
   {
-    // The nodes of all clusters, each once: surface by surface, so that all ranks have one order.
-    std::vector<std::map<unsigned int, unsigned int>> cluster_of_node(surfaces_.size());
-    for (std::size_t e = 0; e < entries_.size(); ++e)
-      for (unsigned int side = 0; side < 2; ++side)
-        for (const unsigned int i : nodes_of(entries_[e], side))
-          cluster_of_node[2 * entries_[e].pair + side][i] = clusters_[e];
+  }
 
+  void
+  ContactMessages::set_workers(const std::vector<std::map<unsigned int, const Ranks *>> &workers_of,
+                               const Ranks                                              &fellows)
+  {
+    // The nodes surface by surface, each once, so that all ranks have one order.
+    const std::uint32_t me = communicator_.rank();
+    fellows_               = fellows;
+    place_                 = std::find(fellows.begin(), fellows.end(), me) - fellows.begin();
     own_nodes_.clear();
-    const std::uint32_t                        me = communicator_.rank();
-    std::map<std::uint32_t, std::vector<Node>> to, from;
-    std::set<std::uint32_t>                    targets, sources;
-    for (std::size_t s = 0; s < surfaces_.size(); ++s)
-      for (const auto &[number, cluster] : cluster_of_node[s])
+    std::map<std::uint32_t, std::vector<ContactNode>> to, from;
+    std::set<std::uint32_t>                           targets, sources;
+    for (std::size_t s = 0; s < workers_of.size(); ++s)
+      for (const auto &[number, workers_of_node] : workers_of[s])
         {
-          const Node node{surfaces_[s], number};
+          const ContactNode node{nodes_.surfaces[s], number};
           if (communicator_.size() == 1)
             {
               own_nodes_.push_back(node);
               continue;
             }
-          const Ranks        &workers = of_clusters_[cluster], &holders = holders_[s][number];
+          const Ranks        &workers = *workers_of_node, &holders = nodes_.holders[s][number];
           const std::uint32_t owner = holders.front();
           const bool          works = std::binary_search(workers.begin(), workers.end(), me);
           if (owner == me)
@@ -59,7 +63,7 @@ namespace vfife
     sources.erase(me);
     targets_.assign(targets.begin(), targets.end());
     sources_.assign(sources.begin(), sources.end());
-    const auto make_messages = [](std::map<std::uint32_t, std::vector<Node>> &lists) {
+    const auto make_messages = [](std::map<std::uint32_t, std::vector<ContactNode>> &lists) {
       std::vector<Motion> messages;
       for (auto &list : lists)
         messages.push_back({list.first, std::move(list.second), {}});
@@ -69,12 +73,12 @@ namespace vfife
     received_ = make_messages(from);
   }
 
-  void ContactRanks::bring(const std::vector<std::vector<double> ContactSurface::*> &arrays)
+  void ContactMessages::bring(const std::vector<std::vector<double> ContactSurface::*> &arrays)
   {
     // One array after the other, of the same nodes in the same order on both sides.
-    const auto visit = [&](const std::vector<Node> &nodes, const auto &at_node) {
+    const auto visit = [&](const std::vector<ContactNode> &nodes, const auto &at_node) {
       for (const auto array : arrays)
-        for (const Node &node : nodes)
+        for (const ContactNode &node : nodes)
           at_node((node.surface->*array).data() + width * node.number);
     };
     std::vector<MPI_Request> requests;
@@ -103,17 +107,20 @@ namespace vfife
       }
   }
 
-  std::vector<ContactRanks::Node> ContactRanks::add_up_forces(const std::vector<Node> &touched)
+  std::vector<ContactNode> ContactMessages::add_up_forces(const std::vector<ContactNode> &touched)
   {
     if (targets_.empty() && sources_.empty())
       return touched;
     // 1. This rank's forces, put aside: a sum begins at zero with the lowest rank's part.
     std::vector<NodeForce> own;
-    for (const Node &node : touched)
+    for (const ContactNode &node : touched)
       {
-        const auto surface = std::find(surfaces_.begin(), surfaces_.end(), node.surface);
-        NodeForce  record{static_cast<std::uint32_t>(surface - surfaces_.begin()), node.number, {}};
-        double    *force = node.surface->forces.data() + width * node.number;
+        const auto surface =
+          std::find(nodes_.surfaces.begin(), nodes_.surfaces.end(), node.surface);
+        NodeForce record{static_cast<std::uint32_t>(surface - nodes_.surfaces.begin()),
+                         node.number,
+                         {}};
+        double   *force = node.surface->forces.data() + width * node.number;
         std::copy_n(force, width, record.force);
         std::fill_n(force, width, 0.);
         own.push_back(record);
@@ -125,7 +132,7 @@ namespace vfife
       {
         for (const NodeForce &record : own)
           {
-            const Ranks &holders = holders_[record.surface][record.node];
+            const Ranks &holders = nodes_.holders[record.surface][record.node];
             if (std::binary_search(holders.begin(), holders.end(), targets_[k]))
               outgoing[k].push_back(record);
           }
@@ -133,9 +140,9 @@ namespace vfife
           outgoing[k].data(), outgoing[k].size() * sizeof(NodeForce), targets_[k], forces_tag));
       }
     // 3. All parts in ascending order of rank, this rank's among them.
-    std::vector<Node> nodes;
-    const auto        add = [&](const NodeForce &record) {
-      ContactSurface *surface = surfaces_[record.surface];
+    std::vector<ContactNode> nodes;
+    const auto               add = [&](const NodeForce &record) {
+      ContactSurface *surface = nodes_.surfaces[record.surface];
       for (std::size_t c = 0; c < width; ++c)
         surface->forces[width * record.node + c] += record.force[c];
       if (surface->touched[record.node] == 0)
@@ -166,12 +173,13 @@ namespace vfife
     if (!own_is_added)
       add_own();
     Communicator::wait(requests);
-    for (const Node &node : nodes)
+    for (const ContactNode &node : nodes)
       node.surface->touched[node.number] = 0;
     return nodes;
   }
 
-  std::vector<char> ContactRanks::exchange_bytes(const void *data, const std::size_t n_bytes) const
+  std::vector<char> ContactMessages::exchange_bytes(const void       *data,
+                                                    const std::size_t n_bytes) const
   {
     std::vector<MPI_Request> requests;
     for (std::size_t k = 0; k < fellows_.size(); ++k)

@@ -1,5 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/dynamics/loads/contact_dealing.h>
+#include <vfife/dynamics/loads/contact/contact_dealing.h>
 
 #include <algorithm>
 #include <numeric>

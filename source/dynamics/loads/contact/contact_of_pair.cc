@@ -2,7 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/contact/law/facet_penalty.h>
 #include <vfife/contact/law/hertz.h>
-#include <vfife/dynamics/loads/contact_of_pair.h>
+#include <vfife/dynamics/loads/contact/contact_of_pair.h>
 #include <vfife/mesh/body_mesh.h>
 
 #include <algorithm>
