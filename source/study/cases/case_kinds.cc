@@ -2,7 +2,7 @@
 #include <vfife/base/case_sections.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/study/cases/case_kinds.h>
-#include <vfife/study/cases/gear_case.h>
+#include <vfife/study/cases/gear/gear_case.h>
 #include <vfife/study/cases/model_case.h>
 
 namespace vfife
