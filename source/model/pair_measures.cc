@@ -7,6 +7,13 @@
 
 namespace vfife
 {
+  MemberOfPair find_member(const Transmission &pair, const unsigned int body)
+  {
+    if (body == pair.driven)
+      return {pair.driven_teeth, pair.driven_sense, pair.driven_bore};
+    return {pair.driver_teeth, pair.driver_sense, pair.driver_bore};
+  }
+
   double torque_on(const Model &model, const unsigned int body, const std::optional<double> &time)
   {
     double sum = 0;

@@ -4,6 +4,7 @@
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/load_shares.h>
 #include <vfife/model/model.h>
+#include <vfife/model/pair_measures.h>
 #include <vfife/reduced/body_rings.h>
 
 #include <numeric>
@@ -77,7 +78,7 @@ namespace vfife
                                   coupling.nodes,
                                   compute_area_shares(body, coupling.nodes, coupling.faces)));
     if (const Transmission *const t = model.only_transmission())
-      if (const auto &bore = b == t->driven ? t->driven_bore : t->driver_bore; !bore.empty())
+      if (const auto &bore = find_member(*t, b).bore; !bore.empty())
         rings.push_back(make_ring(body, ring::bore, bore, masses_of(body, bore)));
     const std::vector<unsigned int> nodes = all_nodes(body);
     rings.push_back(make_ring(body, ring::whole, nodes, masses_of(body, nodes)));

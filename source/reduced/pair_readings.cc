@@ -3,6 +3,7 @@
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>
 #include <vfife/model/model.h>
+#include <vfife/model/pair_measures.h>
 #include <vfife/reduced/pair_readings.h>
 
 #include <algorithm>
@@ -154,7 +155,7 @@ namespace vfife
     const Transmission        &t    = *model.only_transmission();
     const Body                &body = model.bodies[b];
     std::vector<SectorReading> readings;
-    const auto                &bore = b == t.driven ? t.driven_bore : t.driver_bore;
+    const auto                &bore = find_member(t, b).bore;
     if (!bore.empty())
       readings.push_back(make_turn(body, reading::bore_turn, bore));
     if (b == t.driven)

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/case_sections.h>
 #include <vfife/base/parameters/declared_section.h>
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/study/other_sections.h>
@@ -15,8 +16,15 @@ namespace vfife
 {
   namespace
   {
+    std::vector<std::string> list_case_sections()
+    {
+      std::vector<std::string> sections = {model_section};
+      sections.insert(sections.end(), pair_sections.begin(), pair_sections.end());
+      return sections;
+    }
+
     /** Of which there is one in each case. */
-    const std::vector<std::string> case_sections = {"Model", "Gear pair"};
+    const std::vector<std::string> case_sections = list_case_sections();
 
     bool contains(const std::vector<std::string> &names, const std::string &name)
     {

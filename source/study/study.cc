@@ -3,14 +3,11 @@
 #include <vfife/base/parameters/declared_section.h>
 #include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameter_file.h>
-#include <vfife/base/parameters/parameters.h>
-#include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/command_line.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/gear/spiral_bevel/gear_pair.h>
-#include <vfife/gear/spiral_bevel/gear_pair_options.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/folder/earlier_results.h>
 #include <vfife/output/folder/folder_lock.h>
@@ -122,36 +119,6 @@ namespace vfife
         log.line("ignored by this kind of study: ", list_of(others.passed_over));
     }
 
-    /** Of the gear pair that this kind of study reads, if it does: entries alone do not tell what
-     * was derived or proposed. */
-    std::optional<PairGeometry> find_geometry(const ParameterFile            &file,
-                                              const dealii::ParameterHandler &prm)
-    {
-      const auto reads = [entries = find_declared(prm).list_values()](const std::string &path) {
-        return std::any_of(entries.begin(), entries.end(), [&path](const auto &entry) {
-          return entry.first == path;
-        });
-      };
-      if (!reads("Gear pair/Gear/Blank/number of teeth"))
-        return {};
-      GearPairOptions      options;
-      PairGeometry::Bodies bodies;
-      bodies[0] = pinion_body_defaults();
-      file.read_known([&](dealii::ParameterHandler &known) {
-        const Subsection section(known, "Gear pair");
-        options.declare(known);
-        for (unsigned int b = 0; b < 2; ++b)
-          {
-            const Subsection member(known, b == 0 ? "Pinion" : "Gear");
-            bodies[b].leave_sizes_open();
-            bodies[b].declare(known);
-          }
-      });
-      const bool has_bodies = reads("Gear pair/Gear/Body/body type");
-      return PairGeometry(options,
-                          has_bodies ? std::optional<PairGeometry::Bodies>(bodies) : std::nullopt);
-    }
-
     void read_and_run(const CommandLine   &command_line,
                       const ParameterFile &file,
                       const CaseRunner    &runner,
@@ -170,7 +137,7 @@ namespace vfife
         }
       // Still before any folder is made.
       read.check();
-      const std::optional<PairGeometry> geometry = find_geometry(file, prm);
+      const std::optional<PairGeometry> geometry = find_pair_geometry(file, prm);
       if (command_line.check)
         {
           log_reading(file, read.prm, read.others, log);
@@ -284,7 +251,7 @@ namespace vfife
       read.check();
       OutputFolder folder(keeper, communicator);
       log_reading(file, read.prm, read.others, log);
-      if (const auto geometry = find_geometry(file, read.prm))
+      if (const auto geometry = find_pair_geometry(file, read.prm))
         {
           geometry->show(log);
           write_json(folder, "geometry.json", geometry->json());
@@ -299,10 +266,7 @@ namespace vfife
       const StudyRunner runner;
       const ReadStudy   read(file, runner);
       read.check();
-      GearPairOptions options;
-      file.read_known(
-        [&](dealii::ParameterHandler &known) { declare_section(known, "Gear pair", options); });
-      return GearPair(options);
+      return GearPair(read_pair_options(file));
     });
   }
 } // namespace vfife

@@ -7,7 +7,7 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/fem/fem_options.h>
-#include <vfife/study/cases/gear_case.h>
+#include <vfife/study/cases/gear/gear_case.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -13,6 +13,17 @@ namespace vfife
   struct ToothContact;
   struct Transmission;
 
+  /** What a gear pair says of one of its bodies. */
+  struct MemberOfPair
+  {
+    unsigned int                     teeth;
+    double                           sense; ///< in which it turns about its axis
+    const std::vector<unsigned int> &bore;  ///< of the pair
+  };
+
+  /** The driven member where it is @p body, otherwise the driver. */
+  MemberOfPair find_member(const Transmission &pair, unsigned int body);
+
   /** Sum of the model's torques on a body about its axis, at full load or, with their histories, at
    * a @p time [N mm]. */
   double torque_on(const Model &model, unsigned int body, const std::optional<double> &time = {});

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/case_sections.h>
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/former_names.h>
 
@@ -203,9 +204,7 @@ namespace vfife
                            return statement.top_section() == section;
                          });
     };
-    // as make_case() decides
-    const CaseKind kind =
-      contains("Model") && !contains("Gear pair") ? CaseKind::model : CaseKind::pair;
+    const CaseKind           kind = describes_model(contains) ? CaseKind::model : CaseKind::pair;
     std::vector<std::string> replaced;
     for (ParameterStatement &statement : statements)
       {

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/communicator.h>
+#include <vfife/model/pair_measures.h>
 #include <vfife/model/state.h>
 #include <vfife/output/measures/pair_mounting.h>
 
@@ -17,7 +18,7 @@ namespace vfife
         const Body &body = model.bodies[member.body];
         // The body frame has its origin in the apex and z along the axis, to the back.
         member.undeformed = {body.placement.translation, body.placement.rotation.col(2)};
-        const auto &bore  = member.body == t.driver ? t.driver_bore : t.driven_bore;
+        const auto &bore  = find_member(t, member.body).bore;
         if (!bore.empty())
           member.bore.emplace(body, bore, "bore of the " + body.name());
       }

@@ -2,6 +2,7 @@
 #include <vfife/base/text/byte_stream.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/model/model.h>
+#include <vfife/model/pair_measures.h>
 #include <vfife/output/measures/root_stress.h>
 
 #include <algorithm>
@@ -139,8 +140,7 @@ namespace vfife
 
   unsigned int RootStress::count_teeth(const unsigned int body) const
   {
-    const Transmission &t = *model_.only_transmission();
-    return body == t.driver ? t.driver_teeth : t.driven_teeth;
+    return find_member(*model_.only_transmission(), body).teeth;
   }
 
   std::vector<unsigned int> RootStress::recorded_teeth(const unsigned int               body,
@@ -170,9 +170,8 @@ namespace vfife
                                 const double       meshes) const
   {
     // A tooth ahead in the sense of the body's rotation has been where tooth 0 is now.
-    const Transmission &t = *model_.only_transmission();
-    const double        z = count_teeth(body),
-                 after    = meshes + (body == t.driver ? t.driver_sense : t.driven_sense) * tooth;
+    const MemberOfPair member = find_member(*model_.only_transmission(), body);
+    const double       z = member.teeth, after = meshes + member.sense * tooth;
     return after - z * std::floor(after / z + .5);
   }
 

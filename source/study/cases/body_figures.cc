@@ -36,14 +36,14 @@ namespace vfife
   } // namespace
 
   BodyFigures::BodyFigures(const Body            &body,
-                           const GearMember      &member,
+                           const GearGeometry    &gear,
                            const GearBodyOptions &options)
     : name(body.name())
     , has_one_material(body.materials().size() == 1)
     , density(body.materials().front().density)
     , quality(compute_mesh_quality(body.mesh().triangulation))
     , mesh(compute_solid_integrals(body.mesh().triangulation))
-    , exact(compute_true_integrals(member, options))
+    , exact(compute_true_integrals(gear, options))
     , weighted(compute_solid_integrals(body.mesh().triangulation, relative_densities(body)))
   {
   }

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/model/pair_measures.h>
 #include <vfife/study/cases/probe_copies.h>
 
 #include <algorithm>
@@ -10,27 +11,18 @@ namespace vfife
   namespace
   {
     /** How the body of a probe takes part in the pair. */
-    struct Member
-    {
-      unsigned int teeth = 0;
-      double       sense = 1; ///< in which it turns about its axis
-    };
-
-    Member member_of(const Model &model, const Probe &probe)
+    MemberOfPair member_of(const Model &model, const Probe &probe)
     {
       if (model.transmissions.empty())
         throw InputError("expected a model of a gear pair");
-      const Transmission &t         = *model.only_transmission();
-      const bool          is_driver = probe.body == t.driver;
-      return {is_driver ? t.driver_teeth : t.driven_teeth,
-              is_driver ? t.driver_sense : t.driven_sense};
+      return find_member(*model.only_transmission(), probe.body);
     }
   } // namespace
 
   std::vector<Probe> list_copies(const Model &model, const Probe &probe)
   {
-    const Member member = member_of(model, probe);
-    const Body  &body   = model.bodies[probe.body];
+    const MemberOfPair member = member_of(model, probe);
+    const Body        &body   = model.bodies[probe.body];
     // Sectors follow each other in the + sense of the axis.
     const std::vector<unsigned int> nodes =
       body.has_node_set(probe.name) ? body.node_set(probe.name) : std::vector<unsigned int>();
@@ -47,10 +39,10 @@ namespace vfife
 
   double meshes_to_contact(const Model &model, const Probe &probe)
   {
-    const Member  member = member_of(model, probe);
-    const Body   &body   = model.bodies[probe.body];
-    const Vector3 a      = body.axis.direction;
-    const auto    flat   = [&](const Vector3 &x) {
+    const MemberOfPair member = member_of(model, probe);
+    const Body        &body   = model.bodies[probe.body];
+    const Vector3      a      = body.axis.direction;
+    const auto         flat   = [&](const Vector3 &x) {
       const Vector3 r = x - body.axis.point;
       return Vector3(r - a.dot(r) * a);
     };

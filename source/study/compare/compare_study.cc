@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/case_sections.h>
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameter_file.h>
@@ -233,8 +234,10 @@ namespace vfife
     results.parameter_file = compared.folder + "/parameters.prm";
     const CaseFile file    = runner_.read(results);
     compared.kind          = file.value("Study/kind");
-    compared.is_pair = std::any_of(file.entries.begin(), file.entries.end(), [](const auto &e) {
-      return e.first.rfind("Gear pair/", 0) == 0;
+    compared.is_pair       = has_pair_section([&file](const std::string &section) {
+      return std::any_of(file.entries.begin(), file.entries.end(), [&section](const auto &e) {
+        return e.first.rfind(section + "/", 0) == 0;
+      });
     });
     return compared;
   }

@@ -13,6 +13,7 @@
 #include <vfife/fem/fem_options.h>
 #include <vfife/fem/modes/campbell.h>
 #include <vfife/mesh/body_mesh.h>
+#include <vfife/model/pair_measures.h>
 #include <vfife/output/files/mode_writer.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/result_places.h>
@@ -112,7 +113,7 @@ namespace vfife
       for (const Transmission &t : model.transmissions)
         if (body == t.driver || body == t.driven)
           {
-            const unsigned int teeth  = body == t.driven ? t.driven_teeth : t.driver_teeth;
+            const unsigned int teeth  = find_member(t, body).teeth;
             const bool         drives = model.bodies[t.driver].name() == "pinion";
             return double(teeth) / (drives ? t.driver_teeth : t.driven_teeth);
           }

@@ -138,7 +138,7 @@ namespace vfife
       {
         // Without a gear pair the section Lumped has to give all numbers, and Operation stands
         // alone.
-        if (file.contains("Gear pair"))
+        if (describes_pair(file))
           {
             pair_case_ = make_pair_case(file);
             pair_case_->declare(prm, file);

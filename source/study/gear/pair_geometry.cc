@@ -1,5 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/parameters/declared_section.h>
+#include <vfife/base/parameters/parameter_file.h>
+#include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/base/types.h>
@@ -11,6 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -18,6 +21,8 @@ namespace vfife
 {
   namespace
   {
+    constexpr const char *pair_section = "Gear pair";
+
     /** Diameter of a circle about the axis at the cone distance @p L, @p h over the pitch cone
      * [mm]: 2 (L sin d + h cos d). */
     double diameter_at(const Blank &blank, const double L, const double h)
@@ -95,7 +100,7 @@ namespace vfife
         const std::vector<std::string> differences =
           given.find_section(name)->list_differences(*defaults.find_section(name));
         if (!differences.empty())
-          settings_.push_back(std::string("Gear pair/") + name + ": " + list_of(differences));
+          settings_.push_back(std::string(pair_section) + "/" + name + ": " + list_of(differences));
       }
     for (unsigned int b = 0; bodies && b < 2; ++b)
       if ((*bodies)[b].shaft.present())
@@ -159,5 +164,40 @@ namespace vfife
         json[member.name].update(figures_json(member.figures));
       }
     return json;
+  }
+
+  GearPairOptions read_pair_options(const ParameterFile &file)
+  {
+    GearPairOptions options;
+    file.read_known(
+      [&](dealii::ParameterHandler &known) { declare_section(known, pair_section, options); });
+    return options;
+  }
+
+  std::optional<PairGeometry> find_pair_geometry(const ParameterFile            &file,
+                                                 const dealii::ParameterHandler &prm)
+  {
+    const auto reads = [entries = find_declared(prm).list_values()](const std::string &entry) {
+      const std::string path = std::string(pair_section) + "/" + entry;
+      return std::any_of(entries.begin(), entries.end(), [&path](const auto &one) {
+        return one.first == path;
+      });
+    };
+    if (!reads("Gear/Blank/number of teeth"))
+      return {};
+    PairGeometry::Bodies bodies;
+    bodies[0] = pinion_body_defaults();
+    file.read_known([&](dealii::ParameterHandler &known) {
+      const Subsection section(known, pair_section);
+      for (unsigned int b = 0; b < 2; ++b)
+        {
+          const Subsection member(known, b == 0 ? "Pinion" : "Gear");
+          bodies[b].leave_sizes_open();
+          bodies[b].declare(known);
+        }
+    });
+    const bool has_bodies = reads("Gear/Body/body type");
+    return PairGeometry(read_pair_options(file),
+                        has_bodies ? std::optional<PairGeometry::Bodies>(bodies) : std::nullopt);
   }
 } // namespace vfife

@@ -15,7 +15,7 @@
 #include <vfife/output/files/table_writer.h>
 #include <vfife/output/output_options.h>
 #include <vfife/output/pictures.h>
-#include <vfife/study/cases/gear_case.h>
+#include <vfife/study/cases/gear/gear_case.h>
 #include <vfife/study/gear/contact_analysis_json.h>
 #include <vfife/study/start_summary.h>
 #include <vfife/study/study_kinds.h>

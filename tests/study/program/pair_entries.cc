@@ -10,7 +10,7 @@
 
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/types.h>
-#include <vfife/study/cases/gear_case.h>
+#include <vfife/study/cases/gear/gear_case.h>
 
 #include <deal.II/base/parameter_handler.h>
 

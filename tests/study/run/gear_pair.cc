@@ -9,7 +9,7 @@
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/base/types.h>
 #include <vfife/gear/unloaded_contact/unloaded_contact.h>
-#include <vfife/study/cases/gear_case.h>
+#include <vfife/study/cases/gear/gear_case.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -9,7 +9,7 @@
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/base/types.h>
-#include <vfife/study/cases/gear_case.h>
+#include <vfife/study/cases/gear/gear_case.h>
 #include <vfife/study/run/run_start.h>
 #include <vfife/study/run/start_kinds.h>
 #include <vfife/study/run/stepped_solver.h>

@@ -3,7 +3,7 @@
 #define vfife_study_cases_body_figures_h
 
 #include <vfife/base/text/table.h>
-#include <vfife/gear/spiral_bevel/gear_member.h>
+#include <vfife/gear/gear_geometry.h>
 #include <vfife/mesh/gear/gear_body.h>
 #include <vfife/mesh/mesh_quality.h>
 #include <vfife/mesh/solid_integrals.h>
@@ -27,7 +27,7 @@ namespace vfife
     SolidIntegrals mesh, exact;
     SolidIntegrals weighted; ///< of the mesh, by the density of each element over `density`
 
-    BodyFigures(const Body &body, const GearMember &member, const GearBodyOptions &options);
+    BodyFigures(const Body &body, const GearGeometry &gear, const GearBodyOptions &options);
 
     void write_to(Log &log) const;
   };

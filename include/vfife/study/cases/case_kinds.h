@@ -10,8 +10,11 @@ namespace vfife
   class PairCase;
   class ParameterFile;
 
-  /** The kind of case that the sections of a file stand for: with a section Model and no Gear pair
-   * a general model, otherwise a gear pair. */
+  /** Whether a file has the section of a gear pair (base/case_sections.h). */
+  bool describes_pair(const ParameterFile &file);
+
+  /** The kind of case that the sections of a file stand for: with a section Model and none of a
+   * gear pair a general model, otherwise a gear pair. */
   std::unique_ptr<Case> make_case(const ParameterFile &file);
 
   /** The gear pair of a file, by the kind of its gears. */

@@ -11,10 +11,16 @@
 #include <string>
 #include <vector>
 
+namespace dealii
+{
+  class ParameterHandler;
+}
+
 namespace vfife
 {
   struct GearPairOptions;
   class Log;
+  class ParameterFile;
 
   /**
    * The main dimensions of a pair with everything that was derived or proposed: what a drawing
@@ -49,6 +55,14 @@ namespace vfife
     NamedFigures             pair_;
     std::array<Member, 2>    members_;
   };
+
+  /** The spiral bevel pair of a file. */
+  GearPairOptions read_pair_options(const ParameterFile &file);
+
+  /** Of the pair that a study reads which has declared @p prm; nothing where it reads none. Entries
+   * alone do not tell what was derived or proposed. */
+  std::optional<PairGeometry> find_pair_geometry(const ParameterFile            &file,
+                                                 const dealii::ParameterHandler &prm);
 } // namespace vfife
 
 #endif

@@ -6,9 +6,8 @@
 #include <vfife/gear/unloaded_contact/contact_analysis.h>
 #include <vfife/gear/unloaded_contact/unloaded_contact.h>
 #include <vfife/mesh/gear/gear_meridian.h>
+#include <vfife/study/cases/gear/gear_case.h>
 #include <vfife/study/cases/gear/gear_conflicts.h>
-#include <vfife/study/cases/gear/gear_model_builder.h>
-#include <vfife/study/cases/gear_case.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +16,31 @@
 
 namespace vfife
 {
+  namespace
+  {
+    MountedGears mount(const GearPair &pair, const MeshSide side)
+    {
+      const MeanContact &mean   = pair.mean_contact(side);
+      const RigidMotion  pinion = pair.pinion_placement(0.);
+      MountedGears       gears;
+      gears.teeth = copy_teeth(pair);
+      // The generated flanks touch; the pinion's is turned onto its tooth 0.
+      gears.placements = {
+        {pair.pinion_placement(mean.rot1 - pair.pinion().turn(pair.pinion_side(side))),
+         pair.gear_placement(mean.rot2)}};
+      gears.contact_point  = mean.position;
+      gears.contact_normal = mean.normal;
+      // The pair knows the arm about the gear's axis only.
+      gears.arms = {
+        {std::abs(
+           (mean.position - pinion.translation).cross(mean.normal).dot(pinion.rotation.col(2))),
+         mean.arm}};
+      gears.gear_tooth   = side == MeshSide::drive ? 0 : 1;
+      gears.drive_flanks = {{pair.pinion_side(MeshSide::drive), pair.gear_side(MeshSide::drive)}};
+      return gears;
+    }
+  } // namespace
+
   void GearCase::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
   {
     options_.declare_bodies(prm, file);
@@ -182,7 +206,7 @@ namespace vfife
 
   std::vector<BodyFigures> GearCase::measure_bodies(const Model &model) const
   {
-    return GearModelBuilder(options_, *this).measure_bodies(model);
+    return builder(options_).measure_bodies(model);
   }
 
   Table GearCase::meridian_table() const
@@ -194,18 +218,23 @@ namespace vfife
     return table;
   }
 
+  PairModelBuilder GearCase::builder(const GearCaseOptions &options) const
+  {
+    return PairModelBuilder(options, mount(GearPair(options.pair), working_side()), *this);
+  }
+
   Model GearCase::make_model(Log &log) const
   {
     for (const std::string &message : options_.pair.examine().warnings())
       log.warning(message);
-    return GearModelBuilder(options_, *this).make(log);
+    return builder(options_).make(log);
   }
 
   Model GearCase::make_silently(const GearCaseOptions &options) const
   {
     std::ostringstream nothing;
     Log                quiet(nothing, false);
-    return GearModelBuilder(options, *this).make(quiet);
+    return builder(options).make(quiet);
   }
 
   std::optional<Model> GearCase::make_reference_model() const
@@ -224,7 +253,7 @@ namespace vfife
   {
     if (!(driven_torque() > 0))
       return {};
-    const double arm = GearModelBuilder(options_, *this).make_transmission().arm;
+    const double arm = builder(options_).make_transmission().arm;
     return TorquePressure(hertz_contact(), driven_torque() / arm);
   }
 

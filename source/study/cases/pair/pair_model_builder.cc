@@ -7,7 +7,7 @@
 #include <vfife/mesh/node_set_names.h>
 #include <vfife/mesh/shaft_sections.h>
 #include <vfife/study/cases/contact_resolution.h>
-#include <vfife/study/cases/gear/gear_model_builder.h>
+#include <vfife/study/cases/pair/pair_model_builder.h>
 #include <vfife/study/cases/torque_pressure.h>
 
 #include <algorithm>
@@ -18,12 +18,6 @@ namespace vfife
 {
   namespace
   {
-    /** The name of a flank among the surfaces of a gear body. */
-    const char *surface_of(const FlankSide side)
-    {
-      return side == FlankSide::concave ? surface_name::concave : surface_name::convex;
-    }
-
     /** First penalty times module over the contact modulus E*. At 1000 MPa the springs of the
      * reference pair give way by 1 um, some 2 arcsec of its lag (doc/theory/contact.md, Penalty).
      */
@@ -44,63 +38,62 @@ namespace vfife
     }
   } // namespace
 
-  GearModelBuilder::GearModelBuilder(const GearCaseOptions &options, const PairCase &pair_case)
+  PairModelBuilder::PairModelBuilder(const PairOptions &options,
+                                     MountedGears       gears,
+                                     const PairCase    &pair_case)
     : options_(options)
+    , gears_(std::move(gears))
     , case_(pair_case)
     , operation_(pair_case.operation())
-    , pair_(options.pair)
     , side_(working_side(operation_.driving, operation_.direction))
   {
   }
 
-  Transmission GearModelBuilder::make_transmission() const
+  double PairModelBuilder::speed_ratio() const
+  {
+    return static_cast<double>(gears_.teeth[0]->blank().teeth) / gears_.teeth[1]->blank().teeth;
+  }
+
+  double PairModelBuilder::pinion_sense() const
+  {
+    return operation_.direction == TurningDirection::forward ? 1. : -1.;
+  }
+
+  Transmission PairModelBuilder::make_transmission() const
   {
     // The mean contact's normal comes out of the gear: with the gear driving it is turned round,
-    // for the model's comes out of the driven member. The pair knows the arm p = |(P x n) . a|
-    // about the gear axis only; the driven pinion's is found here.
-    const MeanContact &mean          = pair_.mean_contact(side_);
-    const bool         pinion_drives = operation_.driving == DrivingMember::pinion;
-    const double       sense         = operation_.direction == TurningDirection::forward ? 1. : -1.;
-    const unsigned int teeth[]       = {pair_.pinion().blank().teeth, pair_.gear().blank().teeth};
-    Transmission       t;
-    t.driver                 = pinion_drives ? 0 : 1;
-    t.driven                 = 1 - t.driver;
-    t.driver_teeth           = teeth[t.driver];
-    t.driven_teeth           = teeth[t.driven];
-    t.driver_sense           = pinion_drives ? sense : -sense;
-    t.driven_sense           = -t.driver_sense;
-    t.driver_rate            = operation_.speed * (pinion_drives ? 1. : pair_.speed_ratio());
-    t.rate_history           = operation_.speed_history;
-    t.largest_factor         = case_.largest_speed_factor();
-    t.contact_point          = mean.position;
-    t.contact_normal         = pinion_drives ? mean.normal : Vector3(-mean.normal);
-    const RigidMotion pinion = pair_.pinion_placement(0.);
-    t.arm =
-      pinion_drives
-        ? mean.arm
-        : std::abs(
-            (mean.position - pinion.translation).cross(mean.normal).dot(pinion.rotation.col(2)));
+    // for the model's comes out of the driven member.
+    const bool   pinion_drives = operation_.driving == DrivingMember::pinion;
+    Transmission t;
+    t.driver         = pinion_drives ? 0 : 1;
+    t.driven         = 1 - t.driver;
+    t.driver_teeth   = gears_.teeth[t.driver]->blank().teeth;
+    t.driven_teeth   = gears_.teeth[t.driven]->blank().teeth;
+    t.driver_sense   = pinion_drives ? pinion_sense() : -pinion_sense();
+    t.driven_sense   = -t.driver_sense;
+    t.driver_rate    = operation_.speed * (pinion_drives ? 1. : speed_ratio());
+    t.rate_history   = operation_.speed_history;
+    t.largest_factor = case_.largest_speed_factor();
+    t.contact_point  = gears_.contact_point;
+    t.contact_normal = pinion_drives ? gears_.contact_normal : Vector3(-gears_.contact_normal);
+    t.arm            = gears_.arms[t.driven];
     return t;
   }
 
-  Model GearModelBuilder::make(Log &log) const
+  Model PairModelBuilder::make(Log &log) const
   {
     Model model;
 
-    // 1. Bodies, meshed and mounted so that the generated flanks of the working side touch in the
-    // mean contact at time zero, the pinion's turned onto its tooth 0. They turn about their axes
-    // in opposite senses, the pinion about + when it goes forward.
-    Body               pinion = make_body(0);
-    const MeanContact &mean   = pair_.mean_contact(side_);
-    const double       sense  = operation_.direction == TurningDirection::forward ? 1. : -1.;
+    // 1. Bodies, meshed and mounted. They turn about their axes in opposite senses.
+    Body pinion = make_body(0);
     place(pinion,
-          pair_.pinion_placement(mean.rot1 - pair_.pinion().turn(pair_.pinion_side(side_))),
-          sense * operation_.speed,
+          gears_.placements[0],
+          pinion_sense() * operation_.speed,
           operation_.speed_history);
     Body gear = make_body(1);
     place(gear,
-          pair_.gear_placement(mean.rot2),
-          -sense * operation_.speed * pair_.speed_ratio(),
+          gears_.placements[1],
+          -pinion_sense() * operation_.speed * speed_ratio(),
           operation_.speed_history);
 
     model.add_body(std::move(pinion));
@@ -124,11 +117,11 @@ namespace vfife
     return model;
   }
 
-  Body GearModelBuilder::make_body(const unsigned int body) const
+  Body PairModelBuilder::make_body(const unsigned int body) const
   {
     // Seats begin and end where the mesh has levels.
-    const GearMember         &teeth  = body == 0 ? pair_.pinion() : pair_.gear();
-    const GearCaseMember     &member = options_.members[body];
+    const GearGeometry       &teeth  = *gears_.teeth[body];
+    const MemberOptions      &member = options_.members[body];
     std::unique_ptr<BodyMesh> mesh   = make_gear_body(teeth, member.with_levels(teeth.blank()));
     member.materials.assign(*mesh, member.section());
     Body made(body == 0 ? "pinion" : "gear",
@@ -138,11 +131,11 @@ namespace vfife
     return made;
   }
 
-  void GearModelBuilder::add_housing(Model &model) const
+  void PairModelBuilder::add_housing(Model &model) const
   {
     if (options_.housing.empty())
       return;
-    const char *entry = "Gear pair/Housing/stiffness";
+    const std::string entry = options_.section + "/Housing/stiffness";
     if (model.bearings.empty())
       throw InputError(entry, "expected bearings in the housing, got ideal bores of both members");
     // Bearings of the driver were added first; the file has those of the pinion first.
@@ -161,17 +154,17 @@ namespace vfife
       }
   }
 
-  const char *GearModelBuilder::held_set(const unsigned int body) const
+  const char *PairModelBuilder::held_set(const unsigned int body) const
   {
     return options_.members[body].body.web == WebKind::none ? node_set::rim_underside
                                                             : node_set::bore;
   }
 
-  void GearModelBuilder::add_drive(Model &model) const
+  void PairModelBuilder::add_drive(Model &model) const
   {
     Transmission                   &t        = model.transmissions.front();
     const Body                     &driver   = model.bodies[t.driver];
-    const GearCaseMember           &member   = options_.members[t.driver];
+    const MemberOptions            &member   = options_.members[t.driver];
     const std::vector<ShaftSection> sections = member.shaft_sections();
     if (sections.empty())
       {
@@ -185,13 +178,13 @@ namespace vfife
     member.supports.add_driver(model, t.driver, member.shaft_section(), sections);
   }
 
-  void GearModelBuilder::add_load(Model &model) const
+  void PairModelBuilder::add_load(Model &model) const
   {
     // The set that is held is the bore, or without a web the underside of the rim. What turns there
     // is the theta_g of the transmission error.
     Transmission                   &t        = model.transmissions.front();
     const Body                     &driven   = model.bodies[t.driven];
-    const GearCaseMember           &member   = options_.members[t.driven];
+    const MemberOptions            &member   = options_.members[t.driven];
     const std::vector<ShaftSection> sections = member.shaft_sections();
     const double                    torque   = -t.driven_sense * case_.driven_torque();
     t.driven_bore                            = driven.node_set(held_set(t.driven));
@@ -220,12 +213,21 @@ namespace vfife
     model.torques.push_back(load);
   }
 
-  double GearModelBuilder::guess_penalty() const
+  const char *PairModelBuilder::surface_of(const unsigned int body, const MeshSide side) const
   {
-    return penalty_over_stiffness * options_.pair_modulus() / pair_.gear().blank().outer_module();
+    const FlankSide drive = gears_.drive_flanks[body];
+    return (side == MeshSide::drive ? drive : opposite(drive)) == FlankSide::concave
+             ? surface_name::concave
+             : surface_name::convex;
   }
 
-  void GearModelBuilder::choose_points(Model &model, Log &log) const
+  double PairModelBuilder::guess_penalty() const
+  {
+    return penalty_over_stiffness * options_.pair_modulus() /
+           gears_.teeth[1]->blank().outer_module();
+  }
+
+  void PairModelBuilder::choose_points(Model &model, Log &log) const
   {
     // Both sides alike, by the facets of the side that carries.
     const double width = 2 * TorquePressure(case_.hertz_contact(), model).semi_axes[1];
@@ -244,25 +246,22 @@ namespace vfife
              " mm wide");
   }
 
-  void GearModelBuilder::add_contacts(Model &model, Log &log) const
+  void PairModelBuilder::add_contacts(Model &model, Log &log) const
   {
     ContactOptions options = options_.contact;
     if (options_.contact.penalty.is_open())
       options.penalty.value = guess_penalty();
-    const Transmission &t             = *model.only_transmission();
-    const bool          pinion_drives = operation_.driving == DrivingMember::pinion;
+    const Transmission &t = *model.only_transmission();
     // the side that carries comes first, the driver is the slave
     for (const MeshSide side :
          {side_, side_ == MeshSide::drive ? MeshSide::coast : MeshSide::drive})
       {
         ContactPair contact;
-        const char *surfaces[] = {surface_of(pair_.pinion_side(side)),
-                                  surface_of(pair_.gear_side(side))};
         contact.side           = side_name(side);
         contact.slave_body     = t.driver;
-        contact.slave_surface  = surfaces[pinion_drives ? 0 : 1];
+        contact.slave_surface  = surface_of(t.driver, side);
         contact.master_body    = t.driven;
-        contact.master_surface = surfaces[pinion_drives ? 1 : 0];
+        contact.master_surface = surface_of(t.driven, side);
         contact.options        = options;
         model.contacts.push_back(contact);
       }
@@ -270,7 +269,7 @@ namespace vfife
       choose_points(model, log);
   }
 
-  void GearModelBuilder::add_probes(Model &model) const
+  void PairModelBuilder::add_probes(Model &model) const
   {
     const Body &gear = model.bodies[1];
     // Of all sectors that which passes the mesh at 75 % of the run: late, and still within it.
@@ -280,23 +279,21 @@ namespace vfife
         model.probes.push_back({set, 1, gear.node_set(set)[tooth]});
   }
 
-  unsigned int GearModelBuilder::gear_tooth_in_mesh(const unsigned int meshes) const
+  unsigned int PairModelBuilder::gear_tooth_in_mesh(const unsigned int meshes) const
   {
-    // Forward the gear turns about -: the next tooth in the + sense comes. The coast side's mean
-    // contact is that of tooth 1.
-    const unsigned int teeth = pair_.gear().blank().teeth, passed = meshes % teeth;
-    const unsigned int first   = side_ == MeshSide::drive ? 0 : 1;
+    // Forward the gear turns about -: the next tooth in the + sense comes.
+    const unsigned int teeth = gears_.teeth[1]->blank().teeth, passed = meshes % teeth;
     const bool         forward = operation_.direction == TurningDirection::forward;
-    return (first + (forward ? passed : teeth - passed)) % teeth;
+    return (gears_.gear_tooth + (forward ? passed : teeth - passed)) % teeth;
   }
 
-  std::vector<BodyFigures> GearModelBuilder::measure_bodies(const Model &model) const
+  std::vector<BodyFigures> PairModelBuilder::measure_bodies(const Model &model) const
   {
-    return {BodyFigures(model.bodies[0],
-                        pair_.pinion(),
-                        options_.members[0].sized(pair_.pinion().blank())),
-            BodyFigures(model.bodies[1],
-                        pair_.gear(),
-                        options_.members[1].sized(pair_.gear().blank()))};
+    std::vector<BodyFigures> figures;
+    for (unsigned int b = 0; b < 2; ++b)
+      figures.emplace_back(model.bodies[b],
+                           *gears_.teeth[b],
+                           options_.members[b].sized(gears_.teeth[b]->blank()));
+    return figures;
   }
 } // namespace vfife

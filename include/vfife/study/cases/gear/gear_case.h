@@ -1,11 +1,10 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_study_cases_gear_case_h
-#define vfife_study_cases_gear_case_h
+#ifndef vfife_study_cases_gear_gear_case_h
+#define vfife_study_cases_gear_gear_case_h
 
 #include <vfife/gear/spiral_bevel/gear_pair.h>
-#include <vfife/study/cases/body_figures.h>
 #include <vfife/study/cases/gear/gear_case_options.h>
-#include <vfife/study/cases/pair_case.h>
+#include <vfife/study/cases/pair/pair_model_builder.h>
 #include <vfife/study/cases/torque_pressure.h>
 
 #include <array>
@@ -67,6 +66,8 @@ namespace vfife
     void check_operation() const;
     /** Hertz's contact of one tooth pair under all the torque; nothing without a torque. */
     std::optional<TorquePressure> torque_pressure() const;
+    /** Of the model; @p options must outlive it. */
+    PairModelBuilder builder(const GearCaseOptions &options) const;
     /** A model of other options, whose log nobody reads. */
     Model make_silently(const GearCaseOptions &options) const;
 
