@@ -69,7 +69,12 @@ namespace vfife
 
   HertzContact GearCase::hertz_contact() const
   {
-    const UnloadedContact contact(GearPair(options_.pair), working_side());
+    return hertz_contact_of(make_pair());
+  }
+
+  HertzContact GearCase::hertz_contact_of(const GearPair &pair) const
+  {
+    const UnloadedContact contact(pair, working_side());
     // Curvatures do not depend on the separation of the ellipse that is asked for.
     const Vector2 curvatures =
       contact.ellipse(contact.contact(contact.reference(), 0), 1e-3).relative_curvatures;
@@ -220,23 +225,24 @@ namespace vfife
     return make_silently(options_.for_submodels(cells_lengthwise));
   }
 
-  std::optional<TorquePressure> GearCase::torque_pressure() const
+  std::optional<TorquePressure> GearCase::torque_pressure(const GearPair &pair) const
   {
     if (!(driven_torque() > 0))
       return {};
-    const double arm = GearModelBuilder(options_, *this).make_transmission().arm;
-    return TorquePressure(hertz_contact(), driven_torque() / arm);
+    const double arm = GearModelBuilder(options_, *this, pair).make_transmission().arm;
+    return TorquePressure(hertz_contact_of(pair), driven_torque() / arm);
   }
 
   std::string GearCase::find_cause() const
   {
-    const std::optional<TorquePressure> pressure = torque_pressure();
+    const std::optional<TorquePressure> pressure = torque_pressure(make_pair());
     return pressure ? pressure->find_excess(operation_.pressure_limit) : "";
   }
 
   std::vector<std::string> GearCase::report_checks(const RunPlan &plan, Log &log) const
   {
-    const std::optional<TorquePressure> pressure = torque_pressure();
+    const GearPair                      pair     = make_pair();
+    const std::optional<TorquePressure> pressure = torque_pressure(pair);
     if (pressure)
       {
         log.line("torque on the pinion ",
@@ -246,7 +252,6 @@ namespace vfife
                  " N m, without friction");
         log.line(pressure->describe());
       }
-    const GearPair    pair   = make_pair();
     const std::string excess = pressure ? pressure->find_excess(operation_.pressure_limit) : "";
     return report_conflicts(
       {*this, pair, working_side(), ring_strain(), options_.has_web(), excess}, plan, log);

@@ -44,11 +44,13 @@ namespace vfife
     }
   } // namespace
 
-  GearModelBuilder::GearModelBuilder(const GearCaseOptions &options, const PairCase &pair_case)
+  GearModelBuilder::GearModelBuilder(const GearCaseOptions &options,
+                                     const PairCase        &pair_case,
+                                     GearPair               pair)
     : options_(options)
     , case_(pair_case)
     , operation_(pair_case.operation())
-    , pair_(options.pair)
+    , pair_(std::move(pair))
     , side_(working_side(operation_.driving, operation_.direction))
   {
   }

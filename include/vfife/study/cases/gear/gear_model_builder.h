@@ -17,8 +17,12 @@ namespace vfife
   {
   public:
     /** @p pair_case: the operation of the pair and its contact; bodies and meshes are those of @p
-     * options. */
-    GearModelBuilder(const GearCaseOptions &options, const PairCase &pair_case);
+     * options. @p pair: made of them. */
+    GearModelBuilder(const GearCaseOptions &options, const PairCase &pair_case, GearPair pair);
+    GearModelBuilder(const GearCaseOptions &options, const PairCase &pair_case)
+      : GearModelBuilder(options, pair_case, GearPair(options.pair))
+    {
+    }
 
     /** Meshes the bodies; logs what a user wants to know about them. */
     Model make(Log &log) const;
