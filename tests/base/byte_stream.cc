@@ -7,6 +7,8 @@
 #include <vfife/base/text/byte_stream.h>
 #include <vfife/base/text/table.h>
 
+#include <cstring>
+
 using namespace vfife;
 
 namespace
@@ -41,6 +43,30 @@ namespace
   {
     double one = 10, two = 20, three = 30;
   };
+
+  /** Bytes between members are no values. */
+  void padding()
+  {
+    struct Padded
+    {
+      bool   answer;
+      double number;
+    };
+    const auto bytes_of = [](const int filling) {
+      Padded padded;
+      std::memset(&padded, filling, sizeof(padded));
+      padded.answer = true;
+      padded.number = 1;
+      std::vector<Padded> several(2, padded), records = several;
+      Padded              record = padded;
+      ByteStream          out;
+      out.pass(padded, several);
+      out.pass_record(record);
+      out.pass_records(records);
+      return out.bytes();
+    };
+    check("equal values: equal bytes", bytes_of(0) == bytes_of(0xff));
+  }
 
   /** Parts are found by their names, in any order; what is not there says so. */
   void parts()
@@ -139,6 +165,7 @@ int main()
         wider.n_rows() == 3 && wider.numbers("length")[1] == 2.5 &&
           std::isnan(wider.numbers("force")[1]) && wider.column("name").texts[1] == "two");
 
+  padding();
   parts();
   refuse([&] {
     ByteStream part(written.bytes().substr(0, written.bytes().size() - 1));

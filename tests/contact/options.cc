@@ -19,7 +19,7 @@ namespace
     spoil(options);
     return entry_and_message_of([&] { options.check("Contact"); }).find(entry + ": ") == 0;
   }
-  MakeFrictionLaw find_friction_law(const std::string &name)
+  FrictionLawKind find_friction_law(const std::string &name)
   {
     const auto &laws = friction_laws();
     return std::find_if(laws.begin(),
@@ -89,6 +89,12 @@ int main()
   check("a static friction coefficient of Coulomb's law is refused",
         refused([](ContactOptions &o) { o.friction.static_coefficient = 0.2; },
                 "Contact/static friction coefficient"));
+  ContactOptions unused;
+  unused.friction.static_coefficient = 0.2;
+  check("the message names the law that uses it",
+        entry_and_message_of([&] { unused.check("Contact"); }) ==
+          "Contact/static friction coefficient: expected auto with the friction law \"Coulomb\", "
+          "got 0.2. Set friction law to exponential decay.");
   check("a decay speed of Coulomb's law is refused",
         refused([](ContactOptions &o) { o.friction.decay_speed = 50.; },
                 "Contact/friction decay speed"));

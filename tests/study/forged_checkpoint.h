@@ -14,14 +14,17 @@
 
 using ChangeBytes = std::function<void(std::string &)>;
 
+/** Bytes of a checkpoint before its state. */
+constexpr std::size_t checkpoint_header = 40;
+
 /** Writes the checkpoint @p from into a folder as the only one there, after @p change of what
  * stands behind its header, with the size and the checksum that belong to it. */
 inline void
 forge_checkpoint(const std::string &from, const std::string &folder, const ChangeBytes &change)
 {
-  namespace fs                 = std::filesystem;
-  constexpr std::size_t header = 40, size_at = 24, checksum_at = 32;
-  std::string           bytes = read_text(from), state = bytes.substr(header);
+  namespace fs                  = std::filesystem;
+  constexpr std::size_t size_at = 24, checksum_at = 32;
+  std::string           bytes = read_text(from), state = bytes.substr(checkpoint_header);
   change(state);
   boost::crc_32_type crc;
   crc.process_bytes(state.data(), state.size());
@@ -29,7 +32,8 @@ forge_checkpoint(const std::string &from, const std::string &folder, const Chang
   bytes.replace(size_at, 8, reinterpret_cast<const char *>(&size), 8);
   bytes.replace(checksum_at, 8, reinterpret_cast<const char *>(&checksum), 8);
   fs::create_directory(folder);
-  std::ofstream(folder + "/checkpoint.bin", std::ios::binary) << bytes.substr(0, header) << state;
+  std::ofstream(folder + "/checkpoint.bin", std::ios::binary)
+    << bytes.substr(0, checkpoint_header) << state;
   fs::remove(folder + "/checkpoint.previous.bin");
 }
 

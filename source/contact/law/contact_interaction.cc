@@ -9,7 +9,7 @@ namespace vfife
   ContactInteraction::ContactInteraction(const ContactOptions &options)
     : options_(options)
     , law_(options.penalty.law(options.penalty))
-    , friction_(options.friction.acts() ? options.friction.law(options.friction) : nullptr)
+    , friction_(options.friction.acts() ? options.friction.make_law() : nullptr)
     , penalty_(options.penalty.value)
   {
   }

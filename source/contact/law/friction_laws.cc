@@ -3,29 +3,19 @@
 #include <vfife/base/text/number_text.h>
 #include <vfife/contact/law/friction_laws.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vfife
 {
   namespace
   {
-    /** Refuses a number that Coulomb's law does not use. */
-    void require_unused(const std::string &entry, const std::string &expected, const double number)
-    {
-      if (number > 0.)
-        throw InputError(entry,
-                         "expected " + expected + " with the friction law \"Coulomb\", got " +
-                           number_text(number) + ". Set friction law to exponential decay.");
-    }
-
     class CoulombFriction : public FrictionLaw
     {
     public:
       explicit CoulombFriction(const FrictionNumbers &numbers)
         : coefficient_(numbers.coefficient)
       {
-        require_unused("static friction coefficient", "auto", numbers.static_coefficient);
-        require_unused("friction decay speed", "0", numbers.decay_speed);
       }
 
       double limit(const double pressure, const double /*speed*/) const override
@@ -76,12 +66,41 @@ namespace vfife
     };
   } // namespace
 
-
-  const Choices<MakeFrictionLaw> &friction_laws()
+  const std::vector<FrictionEntry> &friction_entries()
   {
-    static const Choices<MakeFrictionLaw> choices = {
-      {"Coulomb", &make_friction_law<CoulombFriction>},
-      {"exponential decay", &make_friction_law<ExponentialDecay>}};
+    static const std::vector<FrictionEntry> entries = {
+      {&FrictionNumbers::coefficient,
+       "friction coefficient",
+       "-",
+       "Friction coefficient; mu_k of the exponential decay",
+       Range::between(0., 2.)},
+      {&FrictionNumbers::static_coefficient,
+       "static friction coefficient",
+       "-",
+       "mu_s of the exponential decay; auto: the friction coefficient",
+       Range::positive().or_word("auto")},
+      {&FrictionNumbers::decay_speed,
+       "friction decay speed",
+       "mm/s",
+       "v_c of the exponential decay",
+       Range::not_negative()}};
+    return entries;
+  }
+
+  bool FrictionLawKind::reads(const FrictionNumber number) const
+  {
+    return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
+  }
+
+  const Choices<FrictionLawKind> &friction_laws()
+  {
+    static const Choices<FrictionLawKind> choices = {
+      {"Coulomb", {&make_friction_law<CoulombFriction>, {&FrictionNumbers::coefficient}}},
+      {"exponential decay",
+       {&make_friction_law<ExponentialDecay>,
+        {&FrictionNumbers::coefficient,
+         &FrictionNumbers::static_coefficient,
+         &FrictionNumbers::decay_speed}}}};
     return choices;
   }
 } // namespace vfife

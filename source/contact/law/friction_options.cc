@@ -1,9 +1,23 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/text/number_text.h>
 #include <vfife/contact/law/friction_options.h>
 
 namespace vfife
 {
+  namespace
+  {
+    /** The laws that read a number, "A or B". */
+    std::string list_laws_with(const FrictionNumber number)
+    {
+      std::string list;
+      for (const auto &[name, law] : friction_laws())
+        if (law.reads(number))
+          list += (list.empty() ? "" : " or ") + name;
+      return list;
+    }
+  } // namespace
+
   void FrictionOptions::declare(dealii::ParameterHandler &prm)
   {
     declare_choice(prm,
@@ -12,23 +26,9 @@ namespace vfife
                    friction_laws(),
                    "Coulomb: constant friction coefficient; exponential decay: mu(v) = mu_k + "
                    "(mu_s - mu_k) exp(-v/v_c) with slip speed v");
-    declare_number(prm,
-                   "friction coefficient",
-                   coefficient,
-                   "Friction coefficient; mu_k of the exponential decay",
-                   Range::between(0., 2.));
-    declare_quantity(prm,
-                     "static friction coefficient",
-                     static_coefficient,
-                     "-",
-                     "mu_s of the exponential decay; auto: the friction coefficient",
-                     Range::positive().or_word("auto"));
-    declare_quantity(prm,
-                     "friction decay speed",
-                     decay_speed,
-                     "mm/s",
-                     "v_c of the exponential decay",
-                     Range::not_negative());
+    for (const FrictionEntry &entry : friction_entries())
+      declare_quantity(
+        prm, entry.name, this->*entry.number, entry.unit, entry.meaning, entry.range);
     declare_number(prm,
                    "tangential stiffness ratio",
                    stiffness_ratio,
@@ -43,6 +43,20 @@ namespace vfife
   }
 
 
+  std::unique_ptr<const FrictionLaw> FrictionOptions::make_law() const
+  {
+    for (const FrictionEntry &entry : friction_entries())
+      if (const double number = this->*entry.number; number > 0. && !law.reads(entry.number))
+        throw InputError(entry.name,
+                         "expected " +
+                           (entry.range.zero_word.empty() ? "0" : entry.range.zero_word) +
+                           " with the friction law \"" + word_of(law, friction_laws()) +
+                           "\", got " + number_text(number) + ". Set friction law to " +
+                           list_laws_with(entry.number) + ".");
+    return law.make(*this);
+  }
+
+
   void FrictionOptions::check(const std::string &section) const
   {
     const std::string before = section.empty() ? "" : section + "/";
@@ -50,7 +64,7 @@ namespace vfife
       throw InputError(before + "friction coefficient", "friction must not be negative");
     try
       {
-        law(*this);
+        make_law();
       }
     catch (const InputError &error)
       {

@@ -54,7 +54,7 @@ namespace vfife
   PressedWall::PressedWall(const RigidWall &wall, const Body &body, const Partition &partition)
     : definition(&wall)
     , law(wall.penalty.law(wall.penalty))
-    , friction_law(wall.friction.acts() ? wall.friction.law(wall.friction) : nullptr)
+    , friction_law(wall.friction.acts() ? wall.friction.make_law() : nullptr)
     , mass_per_area(std::numeric_limits<double>::infinity())
     , penalty(wall.penalty.value)
     , depth_limit(std::numeric_limits<double>::infinity())

@@ -6,6 +6,7 @@
 #include <vfife/gear/measurement/measuring_grid.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace vfife
 {
@@ -17,6 +18,46 @@ namespace vfife
       return std::any_of(table.columns().begin(),
                          table.columns().end(),
                          [](const Table::Column &column) { return column.name == "x"; });
+    }
+
+    /** Positions, wherever they were taken; nothing where the file is no table with them. */
+    std::optional<std::vector<Vector3>> read_positions(const std::string &path)
+    {
+      // What is no table has numbers alone.
+      if (!has_headings(path))
+        return {};
+      const Table table = read_parameter_table(path);
+      if (!has_positions(table))
+        return {};
+      const std::vector<double> x = find_column(table, path, "x", "mm"),
+                                y = find_column(table, path, "y", "mm"),
+                                z = find_column(table, path, "z", "mm");
+      std::vector<Vector3> points;
+      for (std::size_t i = 0; i < x.size(); ++i)
+        points.emplace_back(x[i], y[i], z[i]);
+      return points;
+    }
+
+    /** The points that have these deviations from the flank as it is designed. */
+    std::vector<Vector3> read_deviations(const std::string   &path,
+                                         const GearGeometry  &gear,
+                                         const FlankSide      side,
+                                         const MeasuringGrid &grid)
+    {
+      const Eigen::MatrixXd deviations  = read_deviation_grid(path);
+      MeasuringGrid         own         = grid;
+      own.rows                          = deviations.rows();
+      own.columns                       = deviations.cols();
+      const std::vector<Vector2> places = own.places(gear, side);
+      std::vector<Vector3>       points;
+      for (std::size_t i = 0; i < places.size(); ++i)
+        {
+          const SurfacePoint point = gear.flank_point(side, places[i][0], places[i][1]);
+          points.push_back(point.position - micrometre *
+                                              deviations(i / own.columns, i % own.columns) *
+                                              point.normal);
+        }
+      return points;
     }
   } // namespace
 
@@ -76,33 +117,10 @@ namespace vfife
                                             const FlankSide      side,
                                             const MeasuringGrid &grid)
   {
-    std::vector<Vector3> points;
-    // 1. Positions, wherever they were taken. What is no table has numbers alone.
-    if (has_headings(path))
-      {
-        const Table table = read_parameter_table(path);
-        if (has_positions(table))
-          {
-            const std::vector<double> x = find_column(table, path, "x", "mm"),
-                                      y = find_column(table, path, "y", "mm"),
-                                      z = find_column(table, path, "z", "mm");
-            for (std::size_t i = 0; i < x.size(); ++i)
-              points.emplace_back(x[i], y[i], z[i]);
-            return points;
-          }
-      }
-    // 2. Deviations from the flank as it is designed.
-    const Eigen::MatrixXd deviations  = read_deviation_grid(path);
-    MeasuringGrid         own         = grid;
-    own.rows                          = deviations.rows();
-    own.columns                       = deviations.cols();
-    const std::vector<Vector2> places = own.places(gear, side);
-    for (std::size_t i = 0; i < places.size(); ++i)
-      {
-        const SurfacePoint point = gear.flank_point(side, places[i][0], places[i][1]);
-        points.push_back(point.position -
-                         micrometre * deviations(i / own.columns, i % own.columns) * point.normal);
-      }
-    return points;
+    // Text has any ending, its content says what it is. A format with an ending of its own is asked
+    // for before.
+    if (const auto positions = read_positions(path))
+      return *positions;
+    return read_deviations(path, gear, side, grid);
   }
 } // namespace vfife

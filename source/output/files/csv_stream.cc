@@ -10,7 +10,9 @@
 namespace vfife
 {
   CsvStream::CsvStream(const OutputFolder &folder, const std::string &name, const Table &table)
-    : path_(folder.file(name))
+    : folder_(folder)
+    , name_(name)
+    , path_(folder.file(name))
     , flushed_(std::chrono::steady_clock::now())
   {
     if (!folder.is_writer())
@@ -22,8 +24,7 @@ namespace vfife
   void CsvStream::open(const Table &table)
   {
     file_.open(path_);
-    if (!file_)
-      throw std::runtime_error("cannot write \"" + path_ + "\": " + std::strerror(errno));
+    check();
     file_ << table.csv_header() << '\n';
     flush();
   }
@@ -51,14 +52,25 @@ namespace vfife
       flush();
   }
 
-  void CsvStream::flush()
+  void CsvStream::finish(const Table &table)
   {
     if (!file_.is_open())
       return;
+    flush();
+    folder_.finish_table(name_, table);
+  }
+
+  void CsvStream::flush()
+  {
     // A full disk shows here, not at every row.
     file_.flush();
+    check();
+    flushed_ = std::chrono::steady_clock::now();
+  }
+
+  void CsvStream::check() const
+  {
     if (!file_)
       throw std::runtime_error("cannot write \"" + path_ + "\": " + std::strerror(errno));
-    flushed_ = std::chrono::steady_clock::now();
   }
 } // namespace vfife

@@ -195,10 +195,16 @@ namespace vfife
 
   void OutputFolder::write_table(const std::string &name, const Table &table) const
   {
+    if (is_on_disk())
+      write_file(name, [&table](std::ostream &out) { table.write_csv(out); });
+    finish_table(name, table);
+  }
+
+  void OutputFolder::finish_table(const std::string &name, const Table &table) const
+  {
+    // A format beside .csv is written here.
     if (keeper_ != nullptr)
       keeper_->keep_table(name, table);
-    else
-      write_file(name, [&table](std::ostream &out) { table.write_csv(out); });
   }
 
   void OutputFolder::copy_file(const std::string &from, const std::string &name) const

@@ -9,10 +9,10 @@
 #include <vfife/model/state.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/vtu_writer.h>
+#include <vfife/output/hdf5/hdf5_fields.h>
 #include <vfife/output/measures/body_motion.h>
 #include <vfife/output/measures/node_stresses.h>
 #include <vfife/output/observers/field_writer.h>
-#include <vfife/output/observers/hdf5_fields.h>
 
 #include <deal.II/base/data_out_base.h>
 

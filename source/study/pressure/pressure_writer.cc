@@ -168,8 +168,8 @@ namespace vfife
 
   void PressureWriter::finish(const Model &, const State &)
   {
-    teeth_file_.flush();
-    cells_file_.flush();
+    teeth_file_.finish(tables_.teeth());
+    cells_file_.finish(tables_.cells());
     if (done_ < times_.size())
       log_.line(times_.size() - done_, " instants for pressures lie after the end");
   }

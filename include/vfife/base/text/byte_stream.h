@@ -15,7 +15,7 @@ namespace vfife
   /**
    * Values as bytes, in one order for both directions: the same function of a class that passes its
    * members collects them in a new stream, and sets them from a stream of collected bytes. Bytes
-   * are those of this kind of machine.
+   * are those of this kind of machine; equal values have equal bytes.
    */
   class ByteStream
   {
@@ -50,6 +50,7 @@ namespace vfife
     template <typename Value>
     std::enable_if_t<std::is_trivially_copyable<Value>::value> pass(Value &value)
     {
+      clear_padding(value);
       pass_bytes(&value, sizeof(Value));
     }
 
@@ -78,7 +79,11 @@ namespace vfife
     {
       value_size(values, std::is_trivially_copyable<Value>::value ? sizeof(Value) : 1);
       if constexpr (std::is_trivially_copyable<Value>::value)
-        pass_bytes(values.data(), values.size() * sizeof(Value));
+        {
+          for (Value &value : values)
+            clear_padding(value);
+          pass_bytes(values.data(), values.size() * sizeof(Value));
+        }
       else
         for (Value &value : values)
           pass(value);
@@ -96,6 +101,7 @@ namespace vfife
       pass(size);
       if (size > sizeof(Value))
         refuse_newer();
+      clear_padding(value);
       pass_bytes(&value, size);
     }
 
@@ -111,7 +117,10 @@ namespace vfife
         refuse_newer();
       value_size(values, size);
       for (Value &value : values)
-        pass_bytes(&value, size);
+        {
+          clear_padding(value);
+          pass_bytes(&value, size);
+        }
     }
 
     /**
@@ -170,6 +179,18 @@ namespace vfife
     void              add_part(std::string name, std::string bytes);
     [[noreturn]] void refuse_without(const std::string &name) const;
     [[noreturn]] void refuse_newer() const;
+
+    /** Sets the bytes between members to zero, where the compiler can (GCC from 11
+     * on). */
+    template <typename Value>
+    static void clear_padding([[maybe_unused]] Value &value)
+    {
+#ifdef __has_builtin
+#  if __has_builtin(__builtin_clear_padding)
+      __builtin_clear_padding(&value);
+#  endif
+#endif
+    }
 
     /** Passes the number of values, each of @p least bytes or more, and makes room for them. */
     template <typename Values>

@@ -5,6 +5,7 @@
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/contact/law/friction_laws.h>
 
+#include <memory>
 #include <string>
 
 namespace vfife
@@ -12,7 +13,7 @@ namespace vfife
   /** Friction with elastic stick, between two bodies or at a rigid wall. */
   struct FrictionOptions : FrictionNumbers
   {
-    MakeFrictionLaw law = friction_laws().front().second;
+    FrictionLawKind law = friction_laws().front().second;
     /** Tangential penalty over the normal one [-]. Up to 1 it costs nothing of the step: the
      * point's stiffness in any direction is at most the normal one. */
     double stiffness_ratio = 1.;
@@ -20,10 +21,13 @@ namespace vfife
      * excites the vibrations of elastic bodies (doc/theory/contact.md). */
     double damping_ratio = 0.;
 
+    /** The law with these numbers. Throws InputError for a number that it does not read. */
+    std::unique_ptr<const FrictionLaw> make_law() const;
+
     /** Whether the law does anything with these numbers. It makes the law: not for hot loops. */
     bool acts() const
     {
-      return law(*this)->acts();
+      return make_law()->acts();
     }
 
     /** Declares the entries in the subsection entered. */

@@ -18,7 +18,8 @@ namespace vfife
   class CsvStream
   {
   public:
-    /** Opens the file and writes the header of @p table; throws std::runtime_error. */
+    /** Opens the file and writes the header of @p table; throws std::runtime_error. The folder must
+     * outlive the object. */
     CsvStream(const OutputFolder &folder, const std::string &name, const Table &table);
 
     /** Appends those rows of @p table that are not in the file yet; throws std::runtime_error when
@@ -29,12 +30,17 @@ namespace vfife
      * the constructor. */
     void rewrite(const Table &table);
 
-    void flush();
+    /** @p table has all its rows, which are in the file. Throws as append_new_rows(). */
+    void finish(const Table &table);
 
   private:
     void open(const Table &table);
+    void flush();
+    /** Throws what the disk says unless it has taken everything. */
+    void check() const;
 
-    std::string                           path_;
+    const OutputFolder                   &folder_;
+    std::string                           name_, path_;
     std::ofstream                         file_;
     std::size_t                           n_written_ = 0;
     std::chrono::steady_clock::time_point flushed_;

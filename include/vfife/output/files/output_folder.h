@@ -84,8 +84,12 @@ namespace vfife
     void write_file(const std::string                         &name,
                     const std::function<void(std::ostream &)> &write) const;
 
-    /** Writes a table as the file @p name, as write_file(). */
+    /** Writes a table as the file @p name, as write_file(), and finishes it. */
     void write_table(const std::string &name, const Table &table) const;
+
+    /** All tables pass here when they have their last row: those of write_table(), and those whose
+     * file has grown row by row (CsvStream). On the calling rank only. */
+    void finish_table(const std::string &name, const Table &table) const;
 
     /**
      * Puts a copy of the file @p from into the folder; on the calling rank only. Throws

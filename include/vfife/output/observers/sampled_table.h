@@ -53,7 +53,7 @@ namespace vfife
 
     void finish(const Model &, const State &) override
     {
-      file_.flush();
+      file_.finish(table_);
     }
 
     const Table &table() const

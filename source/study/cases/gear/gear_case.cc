@@ -93,7 +93,12 @@ namespace vfife
 
   HertzContact GearCase::hertz_contact() const
   {
-    const UnloadedContact contact(GearPair(options_.pair), working_side());
+    return hertz_contact_of(make_pair());
+  }
+
+  HertzContact GearCase::hertz_contact_of(const GearPair &pair) const
+  {
+    const UnloadedContact contact(pair, working_side());
     // Curvatures do not depend on the separation of the ellipse that is asked for.
     const Vector2 curvatures =
       contact.ellipse(contact.contact(contact.reference(), 0), 1e-3).relative_curvatures;
@@ -206,7 +211,7 @@ namespace vfife
 
   std::vector<BodyFigures> GearCase::measure_bodies(const Model &model) const
   {
-    return builder(options_).measure_bodies(model);
+    return builder(options_, make_pair()).measure_bodies(model);
   }
 
   Table GearCase::meridian_table() const
@@ -218,23 +223,23 @@ namespace vfife
     return table;
   }
 
-  PairModelBuilder GearCase::builder(const GearCaseOptions &options) const
+  PairModelBuilder GearCase::builder(const GearCaseOptions &options, const GearPair &pair) const
   {
-    return PairModelBuilder(options, mount(GearPair(options.pair), working_side()), *this);
+    return PairModelBuilder(options, mount(pair, working_side()), *this);
   }
 
   Model GearCase::make_model(Log &log) const
   {
     for (const std::string &message : options_.pair.examine().warnings())
       log.warning(message);
-    return builder(options_).make(log);
+    return builder(options_, make_pair()).make(log);
   }
 
   Model GearCase::make_silently(const GearCaseOptions &options) const
   {
     std::ostringstream nothing;
     Log                quiet(nothing, false);
-    return builder(options).make(quiet);
+    return builder(options, GearPair(options.pair)).make(quiet);
   }
 
   std::optional<Model> GearCase::make_reference_model() const
@@ -249,23 +254,24 @@ namespace vfife
     return make_silently(options_.for_submodels(cells_lengthwise));
   }
 
-  std::optional<TorquePressure> GearCase::torque_pressure() const
+  std::optional<TorquePressure> GearCase::torque_pressure(const GearPair &pair) const
   {
     if (!(driven_torque() > 0))
       return {};
-    const double arm = builder(options_).make_transmission().arm;
-    return TorquePressure(hertz_contact(), driven_torque() / arm);
+    const double arm = builder(options_, pair).make_transmission().arm;
+    return TorquePressure(hertz_contact_of(pair), driven_torque() / arm);
   }
 
   std::string GearCase::find_cause() const
   {
-    const std::optional<TorquePressure> pressure = torque_pressure();
+    const std::optional<TorquePressure> pressure = torque_pressure(make_pair());
     return pressure ? pressure->find_excess(operation_.pressure_limit) : "";
   }
 
   std::vector<std::string> GearCase::report_checks(const RunPlan &plan, Log &log) const
   {
-    const std::optional<TorquePressure> pressure = torque_pressure();
+    const GearPair                      pair     = make_pair();
+    const std::optional<TorquePressure> pressure = torque_pressure(pair);
     if (pressure)
       {
         log.line("torque on the pinion ",
@@ -275,7 +281,6 @@ namespace vfife
                  " N m, without friction");
         log.line(pressure->describe());
       }
-    const GearPair    pair   = make_pair();
     const std::string excess = pressure ? pressure->find_excess(operation_.pressure_limit) : "";
     return report_conflicts(
       {*this, pair, working_side(), ring_strain(), options_.has_web(), excess}, plan, log);

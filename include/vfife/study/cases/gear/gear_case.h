@@ -63,11 +63,12 @@ namespace vfife
 
   private:
     /** Throws InputError for a load, speeds and contact that do not go together. */
-    void check_operation() const;
+    void         check_operation() const;
+    HertzContact hertz_contact_of(const GearPair &pair) const;
     /** Hertz's contact of one tooth pair under all the torque; nothing without a torque. */
-    std::optional<TorquePressure> torque_pressure() const;
-    /** Of the model; @p options must outlive it. */
-    PairModelBuilder builder(const GearCaseOptions &options) const;
+    std::optional<TorquePressure> torque_pressure(const GearPair &pair) const;
+    /** Of the model; @p options must outlive it. @p pair: made of them. */
+    PairModelBuilder builder(const GearCaseOptions &options, const GearPair &pair) const;
     /** A model of other options, whose log nobody reads. */
     Model make_silently(const GearCaseOptions &options) const;
 
