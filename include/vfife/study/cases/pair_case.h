@@ -17,11 +17,12 @@
 namespace vfife
 {
   struct BodyFigures;
+  struct PairFacts;
 
   /**
    * Two gears in mesh, of whatever kind: all that studies of gear pairs ask for beyond a model.
    * Member 0, body 0 of the model, is the pinion. Gears of another kind are a class derived from
-   * this one and a line in make_pair_case().
+   * this one, a section in pair_sections and a line in make_pair_case().
    */
   class PairCase : public Case
   {
@@ -62,6 +63,13 @@ namespace vfife
 
     /** Damping over ring_rate() up to which the compliance stays (doc/how-to/choose-damping.md). */
     static constexpr double recommended_damping = 0.05;
+
+    // Checks.
+
+    /** What report_checks() looks at; the path of contact where @p with_path. */
+    virtual PairFacts facts(bool with_path) const = 0;
+    /** Logs both torques and Hertz's contact besides, where there is a torque. */
+    std::vector<std::string> report_checks(const RunPlan &plan, Log &log) const override;
 
     // Teeth.
 

@@ -7,7 +7,7 @@
 #include <vfife/gear/unloaded_contact/unloaded_contact.h>
 #include <vfife/mesh/gear/gear_meridian.h>
 #include <vfife/study/cases/gear/gear_case.h>
-#include <vfife/study/cases/gear/gear_conflicts.h>
+#include <vfife/study/cases/pair/pair_conflicts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -268,21 +268,19 @@ namespace vfife
     return pressure ? pressure->find_excess(operation_.pressure_limit) : "";
   }
 
-  std::vector<std::string> GearCase::report_checks(const RunPlan &plan, Log &log) const
+  PairFacts GearCase::facts(const bool with_path) const
   {
-    const GearPair                      pair     = make_pair();
-    const std::optional<TorquePressure> pressure = torque_pressure(pair);
-    if (pressure)
-      {
-        log.line("torque on the pinion ",
-                 1e-3 * torque_on(0),
-                 " N m, on the gear ",
-                 1e-3 * torque_on(1),
-                 " N m, without friction");
-        log.line(pressure->describe());
-      }
-    const std::string excess = pressure ? pressure->find_excess(operation_.pressure_limit) : "";
-    return report_conflicts(
-      {*this, pair, working_side(), ring_strain(), options_.has_web(), excess}, plan, log);
+    const GearPair pair = make_pair();
+    PairFacts      facts{ring_strain(), options_.has_web(), torque_pressure(pair), ""};
+    if (with_path)
+      try
+        {
+          UnloadedContact(pair, working_side()).path_range();
+        }
+      catch (const NumericalError &error)
+        {
+          facts.fault_of_path = error.what();
+        }
+    return facts;
   }
 } // namespace vfife

@@ -47,9 +47,8 @@ namespace vfife
     Table
     flank_points(unsigned int member, unsigned int lengthwise, unsigned int profile) const override;
 
-    /** Logs both torques and Hertz's contact besides, where there is a torque. */
-    std::vector<std::string> report_checks(const RunPlan &plan, Log &log) const override;
-    std::string              find_cause() const override;
+    PairFacts   facts(bool with_path) const override;
+    std::string find_cause() const override;
 
     /** The pair with everything derived. */
     GearPair make_pair() const;

@@ -1,14 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/errors.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/figure_text.h>
 #include <vfife/dynamics/dynamics_options.h>
-#include <vfife/gear/unloaded_contact/unloaded_contact.h>
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/output/output_options.h>
 #include <vfife/study/cases/contact_resolution.h>
-#include <vfife/study/cases/gear/gear_conflicts.h>
-#include <vfife/study/cases/torque_pressure.h>
+#include <vfife/study/cases/pair/pair_conflicts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +14,16 @@ namespace vfife
 {
   namespace
   {
-    /** A sentence, or nothing where all is well or the study has not what is looked at. */
-    using Check = std::string (*)(const GearFacts &gears, const RunPlan &plan);
+    struct Pair
+    {
+      const PairCase  &pair_case;
+      const PairFacts &facts;
+    };
 
-    std::string check_friction(const GearFacts &, const RunPlan &plan)
+    /** A sentence, or nothing where all is well or the study has not what is looked at. */
+    using Check = std::string (*)(const Pair &pair, const RunPlan &plan);
+
+    std::string check_friction(const Pair &, const RunPlan &plan)
     {
       // Reduced pairs refuse friction themselves.
       if (plan.model == nullptr || plan.dynamics != nullptr ||
@@ -29,12 +32,12 @@ namespace vfife
       return "this analysis has no friction: Contact/friction coefficient acts in runs only";
     }
 
-    std::string check_damping(const GearFacts &gears, const RunPlan &plan)
+    std::string check_damping(const Pair &pair, const RunPlan &plan)
     {
       if (plan.dynamics == nullptr)
         return "";
       const double largest = std::max(plan.dynamics->mass_damping(), plan.dynamics->mesh_damping),
-                   limit   = PairCase::recommended_damping * gears.pair_case.ring_rate();
+                   limit   = PairCase::recommended_damping * pair.pair_case.ring_rate();
       if (!(largest > limit))
         return "";
       return sentence_of(4,
@@ -45,7 +48,7 @@ namespace vfife
                          " 1/s: it distorts the static deflection pattern and the compliance");
     }
 
-    std::string check_damping_rate(const GearFacts &, const RunPlan &plan)
+    std::string check_damping_rate(const Pair &, const RunPlan &plan)
     {
       if (plan.dynamics == nullptr || plan.dynamics->damping_rate == DampingRate::momentum ||
           !(plan.dynamics->mass_damping() > 0))
@@ -54,25 +57,25 @@ namespace vfife
              "of summary.json states it";
     }
 
-    std::string check_ramp(const GearFacts &gears, const RunPlan &plan)
+    std::string check_ramp(const Pair &pair, const RunPlan &plan)
     {
-      const OperationOptions &operation = gears.pair_case.operation();
+      const OperationOptions &operation = pair.pair_case.operation();
       if (plan.dynamics == nullptr || plan.dynamics->start != Start::ramp)
         return "";
       if (operation.ramp == 0)
         return "start = ramp with ramp = 0 is a step of the torque: the contact force overshoots "
                "and the flanks may separate";
-      if (operation.ramp >= gears.pair_case.run_meshes())
+      if (operation.ramp >= pair.pair_case.run_meshes())
         return sentence_of(4,
                            "the ramp of ",
                            operation.ramp,
                            " mesh cycles does not end within the run of ",
-                           gears.pair_case.run_meshes(),
+                           pair.pair_case.run_meshes(),
                            ": no steady part is possible");
       return "";
     }
 
-    std::string check_flank(const GearFacts &, const RunPlan &plan)
+    std::string check_flank(const Pair &, const RunPlan &plan)
     {
       if (plan.model == nullptr)
         return "";
@@ -87,13 +90,13 @@ namespace vfife
                        "direction: the load torque opens them";
     }
 
-    std::string check_hertz(const GearFacts &gears, const RunPlan &plan)
+    std::string check_hertz(const Pair &pair, const RunPlan &plan)
     {
       if (plan.model == nullptr)
         return "";
       const Model &model = *plan.model;
       // Two smaller semi-axes.
-      const double width = 2 * TorquePressure(gears.pair_case.hertz_contact(), model).semi_axes[1];
+      const double width = 2 * TorquePressure(pair.pair_case.hertz_contact(), model).semi_axes[1];
       const ContactResolution seen(model, model.contacts.front(), width);
       if (seen.has_single_points())
         return seen.describe_points("the Hertzian contact");
@@ -109,32 +112,23 @@ namespace vfife
       return "";
     }
 
-    std::string check_pressure(const GearFacts &gears, const RunPlan &)
+    std::string check_pressure(const Pair &pair, const RunPlan &)
     {
-      return gears.excess_of_pressure;
+      return pair.facts.pressure
+               ? pair.facts.pressure->find_excess(pair.pair_case.operation().pressure_limit)
+               : "";
     }
 
-    std::string check_path(const GearFacts &gears, const RunPlan &plan)
+    std::string check_path(const Pair &pair, const RunPlan &)
     {
-      // Without a mesh it is a tooth contact analysis, which looks at the path itself.
-      if (plan.model == nullptr)
-        return "";
-      try
-        {
-          UnloadedContact(gears.pair, gears.side).path_range();
-        }
-      catch (const NumericalError &error)
-        {
-          return error.what();
-        }
-      return "";
+      return pair.facts.fault_of_path;
     }
 
-    std::string check_spin(const GearFacts &gears, const RunPlan &)
+    std::string check_spin(const Pair &pair, const RunPlan &)
     {
       // Of steels 1000 MPa: the strongest gears carry no more, teeth and web on the rim left out.
       constexpr double limit  = 0.005;
-      const double     strain = gears.ring_strain;
+      const double     strain = pair.facts.ring_strain;
       if (strain <= limit)
         return "";
       return sentence_of(4,
@@ -143,16 +137,16 @@ namespace vfife
                          " % at this speed, more than any gear body withstands");
     }
 
-    std::string check_hub(const GearFacts &gears, const RunPlan &)
+    std::string check_hub(const Pair &pair, const RunPlan &)
     {
-      if (gears.has_web || gears.pair_case.operation().hub != HubKind::free_rotation)
+      if (pair.facts.has_web || pair.pair_case.operation().hub != HubKind::free_rotation)
         return "";
       return "body type = rim only with bore rotation = per node: the underside of the rim is "
              "guided "
              "radially and axially, and each node rotates independently";
     }
 
-    std::string check_step(const GearFacts &, const RunPlan &plan)
+    std::string check_step(const Pair &, const RunPlan &plan)
     {
       // Whole steps from sample to sample cost little, unless samples are a few steps apart: then
       // the user can have the time back.
@@ -171,21 +165,21 @@ namespace vfife
       return "";
     }
 
-    std::string check_fields(const GearFacts &gears, const RunPlan &plan)
+    std::string check_fields(const Pair &pair, const RunPlan &plan)
     {
       // Fields are those of explicit runs, [mesh cycles] as their length.
       const double every = plan.step > 0 ? plan.output->fields_every : 0.;
-      if (every <= gears.pair_case.run_meshes())
+      if (every <= pair.pair_case.run_meshes())
         return "";
       return sentence_of(4,
                          "field output interval = ",
                          every,
                          " is more than the run's ",
-                         gears.pair_case.run_meshes(),
+                         pair.pair_case.run_meshes(),
                          " mesh cycles: fields are written at the start and the end only");
     }
 
-    std::string check_checkpoint(const GearFacts &, const RunPlan &plan)
+    std::string check_checkpoint(const Pair &, const RunPlan &plan)
     {
       if (plan.expected_time < 3600 || plan.output->checkpoint_every > 0)
         return "";
@@ -193,7 +187,7 @@ namespace vfife
              " without checkpoints (Output/checkpoint interval)";
     }
 
-    std::string check_samples(const GearFacts &, const RunPlan &plan)
+    std::string check_samples(const Pair &, const RunPlan &plan)
     {
       // A tooth pair's share of a mesh and its harmonics need some points.
       if (plan.output == nullptr || plan.output->history_every >= 10)
@@ -204,7 +198,7 @@ namespace vfife
                          " cannot resolve the ripple: use at least 10");
     }
 
-    std::string check_length(const GearFacts &gears, const RunPlan &plan)
+    std::string check_length(const Pair &pair, const RunPlan &plan)
     {
       constexpr double month = 30. * 24 * 3600;
       if (!(plan.expected_time > month))
@@ -212,7 +206,7 @@ namespace vfife
       return sentence_of(
         4,
         "a mesh cycle has ",
-        std::round(1. / (gears.pair_case.mesh_frequency() * plan.step)),
+        std::round(1. / (pair.pair_case.mesh_frequency() * plan.step)),
         " steps at this speed: use the loaded tooth contact analysis or a reduced pair "
         "for slow motion");
     }
@@ -234,13 +228,14 @@ namespace vfife
                                        &check_checkpoint};
   } // namespace
 
-  std::vector<std::string> report_conflicts(const GearFacts &gears, const RunPlan &plan, Log &log)
+  std::vector<std::string>
+  report_conflicts(const PairCase &pair_case, const PairFacts &facts, const RunPlan &plan, Log &log)
   {
     // Contradictions are said and not refused: a user may want just that.
     std::vector<std::string> found;
     for (const Check check : checks)
       {
-        const std::string sentence = check(gears, plan);
+        const std::string sentence = check({pair_case, facts}, plan);
         if (sentence.empty())
           continue;
         found.push_back(sentence);
