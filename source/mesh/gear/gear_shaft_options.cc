@@ -78,10 +78,13 @@ namespace vfife
     };
     for (std::size_t k = 0; k < all.size(); ++k)
       if (all[k].inner == 0.)
-        refuse(k,
-               " is solid: the core of a solid shaft does not divide into the sectors of a gear; "
-               "its inner diameter must lie above 0 and below " +
-                 number_text(all[k].outer) + " mm");
+        refuse(
+          k,
+          " is solid: the core of a solid shaft does not divide into the sectors of a gear; "
+          "its inner diameter must lie above 0 and below " +
+            number_text(all[k].outer) +
+            " mm. A tenth of the outer diameter changes bending and torsional stiffness by 0.01 "
+            "%");
     const std::size_t loose = find_loose(all);
     if (loose < all.size())
       refuse(loose,
