@@ -1,8 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
-#include <vfife/base/process/log.h>
 #include <vfife/dynamics/dynamics_options.h>
-#include <vfife/study/cases/pair/pair_conflicts.h>
 #include <vfife/study/cases/pair_case.h>
 #include <vfife/study/cases/run_length.h>
 
@@ -97,22 +95,6 @@ namespace vfife
   {
     return operation_.pinion_torque > 0 ? operation_.pinion_torque_history
                                         : operation_.torque_history;
-  }
-
-  std::vector<std::string> PairCase::report_checks(const RunPlan &plan, Log &log) const
-  {
-    // Without a mesh it is a tooth contact analysis, which looks at the path itself.
-    const PairFacts known = facts(plan.model != nullptr);
-    if (known.pressure)
-      {
-        log.line("torque on the pinion ",
-                 1e-3 * torque_on(0),
-                 " N m, on the gear ",
-                 1e-3 * torque_on(1),
-                 " N m, without friction");
-        log.line(known.pressure->describe());
-      }
-    return report_conflicts(*this, known, plan, log);
   }
 
   void PairCase::check_histories(const DynamicsOptions &dynamics) const

@@ -245,4 +245,21 @@ namespace vfife
       log.line("no input conflicts found");
     return found;
   }
+
+  // The checks know the case, which knows none of them.
+  std::vector<std::string> PairCase::report_checks(const RunPlan &plan, Log &log) const
+  {
+    // Without a mesh it is a tooth contact analysis, which looks at the path itself.
+    const PairFacts known = facts(plan.model != nullptr);
+    if (known.pressure)
+      {
+        log.line("torque on the pinion ",
+                 1e-3 * torque_on(0),
+                 " N m, on the gear ",
+                 1e-3 * torque_on(1),
+                 " N m, without friction");
+        log.line(known.pressure->describe());
+      }
+    return report_conflicts(*this, known, plan, log);
+  }
 } // namespace vfife
