@@ -31,9 +31,19 @@ namespace vfife
 
   unsigned int BodyStructure::copy(const unsigned int node, const int further) const
   {
-    const int n      = n_sectors_;
-    const int sector = (static_cast<int>(sector_of(node)) + further % n + n) % n;
-    return sector * nodes_per_sector_ + first_copy(node);
+    return sector_after(sector_of(node), further) * nodes_per_sector_ + first_copy(node);
+  }
+
+  unsigned int BodyStructure::copy_of_element(const unsigned int element, const int further) const
+  {
+    return sector_after(sector_of_element(element), further) * elements_per_sector_ +
+           first_copy_of_element(element);
+  }
+
+  unsigned int BodyStructure::sector_after(const unsigned int sector, const int further) const
+  {
+    const int n = n_sectors_;
+    return (static_cast<int>(sector) + further % n + n) % n;
   }
 
   void BodyStructure::set_materials(std::vector<std::uint8_t> materials)

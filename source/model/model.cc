@@ -31,6 +31,13 @@ namespace vfife
     });
   }
 
+  bool Model::has_initial_strains() const
+  {
+    return std::any_of(bodies.begin(), bodies.end(), [](const Body &body) {
+      return body.has_initial_strains();
+    });
+  }
+
   const Transmission *Model::only_transmission() const
   {
     if (transmissions.size() > 1)

@@ -263,13 +263,8 @@ namespace vfife
       std::sort(nodes.begin(), nodes.end());
       return nodes;
     };
-    std::vector<unsigned int> nodes;
-    for (unsigned int tooth = 0; tooth < n_teeth(); ++tooth)
-      for (unsigned int column = 0; column <= n_columns_; ++column)
-        for (unsigned int row = 0; row <= n_rows_; ++row)
-          nodes.push_back(node(column, row, tooth));
     std::map<std::array<unsigned int, 4>, double> strains;
-    for (const BoundaryFace &face : find_boundary_faces(body, nodes))
+    for (const BoundaryFace &face : find_boundary_faces(body, list_nodes()))
       strains[sorted(face.nodes)] = body.initial_strain(face.element);
     for (unsigned int tooth = 0; tooth < n_teeth(); ++tooth)
       for (unsigned int column = 0; column < n_columns_; ++column)
@@ -292,6 +287,16 @@ namespace vfife
                                                const unsigned int   tooth) const
   {
     return strain - initial_strain(column, row, tooth) * SurfaceTensor(1., 1., 0.);
+  }
+
+  std::vector<unsigned int> Fillet::list_nodes() const
+  {
+    std::vector<unsigned int> nodes;
+    for (unsigned int tooth = 0; tooth < n_teeth(); ++tooth)
+      for (unsigned int column = 0; column <= n_columns_; ++column)
+        for (unsigned int row = 0; row <= n_rows_; ++row)
+          nodes.push_back(node(column, row, tooth));
+    return nodes;
   }
 
   unsigned int Fillet::n_teeth() const

@@ -9,9 +9,10 @@ namespace vfife
 {
   // Sections at the top of a parameter file that say what a study is of.
 
-  constexpr const char *model_section = "Model";
+  constexpr const char *model_section        = "Model";
+  constexpr const char *spiral_bevel_section = "Gear pair";
   /** Of gear pairs, one for each kind of gears. */
-  constexpr std::array<const char *, 1> pair_sections = {{"Gear pair"}};
+  constexpr std::array<const char *, 1> pair_sections = {{spiral_bevel_section}};
 
   /** Whether a file has one of a gear pair; @p contains: whether it has a section of a
    * name. */

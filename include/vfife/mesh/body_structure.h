@@ -61,6 +61,7 @@ namespace vfife
     {
       return element % elements_per_sector_;
     }
+    unsigned int copy_of_element(unsigned int element, int further) const;
 
     /** Number of an element's material among those of its body. */
     unsigned int material_of(const unsigned int element) const
@@ -71,6 +72,8 @@ namespace vfife
     void set_materials(std::vector<std::uint8_t> materials);
 
   private:
+    unsigned int sector_after(unsigned int sector, int further) const;
+
     unsigned int              n_sectors_ = 1, nodes_per_sector_ = 0, elements_per_sector_ = 0;
     std::vector<std::uint8_t> materials_;
   };

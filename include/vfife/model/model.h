@@ -118,6 +118,8 @@ namespace vfife
     unsigned int n_elements() const;
     /** Whether a body has a rate at time zero. */
     bool any_body_turns() const;
+    /** Whether a body has initial strains: a temperature or an interference. */
+    bool has_initial_strains() const;
     /** The gear pair; nullptr: there is none. For what a single pair has: throws InputError where
      * there are several. */
     const Transmission *only_transmission() const;

@@ -76,6 +76,9 @@ namespace vfife
     /** Node of the body at the line @p column <= n_columns() and @p row <= n_rows() of a tooth. */
     unsigned int node(unsigned int column, unsigned int row, unsigned int tooth) const;
 
+    /** Those of all teeth. */
+    std::vector<unsigned int> list_nodes() const;
+
     /** Corners of a facet, counter-clockwise seen from outside; the first side runs along the face.
      */
     std::array<unsigned int, 4>

@@ -37,7 +37,6 @@ namespace vfife
         // Internal forces know no origin: near the body's own middle coordinates have most digits.
         const Body         &body = model.bodies[b];
         Eigen::AlignedBox3d box;
-        strained_ = strained_ || body.has_initial_strains();
         for (const Vector3 &X : body.node_positions())
           box.extend(X);
         for (const std::uint32_t i : partition.nodes(b))
@@ -96,7 +95,7 @@ namespace vfife
 
   void SmallDisplacements::choose_scale(const bool wanted)
   {
-    if (!wanted || strained_)
+    if (!wanted || model_.has_initial_strains())
       {
         scale_ = 1;
         return;
@@ -112,7 +111,7 @@ namespace vfife
 
   void SmallDisplacements::add_strain_forces(NodeField &forces)
   {
-    if (!strained_)
+    if (!model_.has_initial_strains())
       return;
     operator_.compute_internal_forces(local_, other_);
     for (const std::uint32_t i : operator_.partition().nodes())

@@ -77,9 +77,7 @@ namespace vfife
         , forces_(vfife.make_field())
         , at_rest_(vfife.make_field())
       {
-        if (std::any_of(model.bodies.begin(), model.bodies.end(), [](const Body &body) {
-              return body.has_initial_strains();
-            }))
+        if (model.has_initial_strains())
           vfife.compute_internal_forces(undeformed_, at_rest_);
       }
 

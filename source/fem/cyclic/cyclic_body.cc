@@ -161,14 +161,14 @@ namespace vfife
 
   std::vector<double> CyclicBody::find_equilibrium(const double rate) const
   {
-    return rate != 0 || body().has_initial_strains()
+    return rotating_.deforms_at(rate)
              ? rotating_.find_equilibrium(rate)
              : std::vector<double>(3 * std::size_t(sector().n_points()), 0.);
   }
 
   FemMatrix CyclicBody::stiffness(const SystemMatrices &matrices) const
   {
-    return rate_ != 0 || body().has_initial_strains()
+    return rotating_.deforms_at(rate_)
              ? matrices.spinning_stiffness(equilibrium_, constant_rate(rate_))
              : matrices.stiffness(constant_rate(0.));
   }

@@ -164,6 +164,11 @@ namespace vfife
            is_turn(whole_, whole_.parts()[0], motions.front());
   }
 
+  bool RotatingBody::deforms_at(const double rate) const
+  {
+    return rate != 0 || model_.bodies[body_].has_initial_strains();
+  }
+
   std::vector<double> RotatingBody::find_equilibrium(const double rate) const
   {
     FemConstraints::Options options;
@@ -220,7 +225,7 @@ namespace vfife
     result.axis_point = model_.bodies[body_].axis.point;
     result.rate       = rate;
     std::vector<double> equilibrium;
-    if (rate != 0 || model_.bodies[body_].has_initial_strains())
+    if (deforms_at(rate))
       {
         equilibrium = find_equilibrium(rate);
         for (std::size_t i = 0; i < equilibrium.size(); i += 3)

@@ -278,7 +278,7 @@ namespace vfife
   {
     const FemSpace &d        = compliance.space();
     FemOptions      options  = fem_options;
-    const bool      at_state = centrifugal || compliance.is_strained();
+    const bool      at_state = centrifugal || d.model().has_initial_strains();
     if (at_state && degree_of(options.element) > 1)
       throw InputError("Fem/element type",
                        "coupled modes of a pair with centrifugal forces or temperatures require "

@@ -69,7 +69,8 @@ namespace vfife
     , facet_parts_(space_)
   {
     // One rate gives the bearings' stiffness and the centrifugal forces of a state.
-    if (is_strained() && !model.bearings.empty() && model.any_body_turns() && !centrifugal)
+    if (model_.has_initial_strains() && !model.bearings.empty() && model.any_body_turns() &&
+        !centrifugal)
       throw InputError("expected centrifugal = yes for rotating bodies in bearings that have a "
                        "temperature, got no");
     check_motions();
@@ -132,7 +133,7 @@ namespace vfife
     n_unknowns_ = system_->constraints().n();
     const SystemMatrices matrices(*system_, options.mass, options.strain);
     const auto rate = [this](const unsigned int body) { return model_.bodies[body].rate; };
-    if (!centrifugal && !is_strained())
+    if (!centrifugal && !model_.has_initial_strains())
       {
         factorize(matrices.stiffness(rate), 0);
         return;
@@ -172,13 +173,6 @@ namespace vfife
         if (!hub)
           pinned_.push_back(part.body);
       }
-  }
-
-  bool Compliance::is_strained() const
-  {
-    return std::any_of(model_.bodies.begin(), model_.bodies.end(), [](const Body &body) {
-      return body.has_initial_strains();
-    });
   }
 
   bool Compliance::turns_freely(const unsigned int body) const

@@ -298,16 +298,12 @@ namespace vfife
 
   Eigen::VectorXd SectorStrip::compute_expanding_forces(const unsigned int tooth) const
   {
-    const BodyStructure &structure = body_.structure();
-    const int            n         = structure.n_sectors();
-    Eigen::VectorXd      forces    = Eigen::VectorXd::Zero(3 * points_.size());
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(3 * points_.size());
     for (const Element &element : elements_)
       {
-        const int      sector = (((int(tooth) + element.turned) % n) + n) % n;
-        const unsigned first =
-          structure.first_copy_of_element(sector_.body_element(element.of_sector));
-        const double strain =
-          body_.initial_strain(first + sector * structure.elements_per_sector());
+        const double strain = body_.initial_strain(
+          body_.structure().copy_of_element(sector_.body_element(element.of_sector),
+                                            static_cast<int>(tooth) + element.turned));
         const ElementNodes    X    = places_of(element);
         const ElementNodes    free = expand_nodes(X, strain) - X;
         const Eigen::VectorXd f =

@@ -21,14 +21,9 @@ namespace vfife
   {
     for (const MemberFillet &member : fillets)
       {
-        const FemSpace::Part     &part = *space.find_part(member.body);
-        const Body               &body = space.model().bodies[member.body];
-        std::vector<unsigned int> nodes;
-        for (unsigned int tooth = 0; tooth < member.fillet.n_teeth(); ++tooth)
-          for (unsigned int column = 0; column <= member.fillet.n_columns(); ++column)
-            for (unsigned int row = 0; row <= member.fillet.n_rows(); ++row)
-              nodes.push_back(member.fillet.node(column, row, tooth));
-        for (const BoundaryFace &face : find_boundary_faces(body, nodes))
+        const FemSpace::Part &part = *space.find_part(member.body);
+        const Body           &body = space.model().bodies[member.body];
+        for (const BoundaryFace &face : find_boundary_faces(body, member.fillet.list_nodes()))
           faces_[{member.body, sorted(face.nodes)}] =
             space.points_on_face(part, face.element, face.number);
       }

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/case_sections.h>
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/number_list.h>
@@ -87,13 +88,13 @@ namespace vfife
     public:
       void declare(dealii::ParameterHandler &prm, const ParameterFile &) override
       {
-        declare_section(prm, "Gear pair", pair_);
+        declare_section(prm, spiral_bevel_section, pair_);
         declare_section(prm, "Flank fit", options_);
       }
 
       void check() const override
       {
-        pair_.check("Gear pair");
+        pair_.check(spiral_bevel_section);
         if (!options_.measured.empty() && !is_there(options_.measured))
           throw InputError("Flank fit/measured flank",
                            "file \"" + options_.measured + "\" does not exist");
@@ -295,7 +296,7 @@ namespace vfife
     own.point_width  = 0.;
     options.proposal = PairProposal();
     dealii::ParameterHandler prm;
-    declare_section(prm, "Gear pair", options);
+    declare_section(prm, spiral_bevel_section, options);
     const AbsoluteFileNames absolute(prm);
     folder.write_file("fitted_pair.prm", [&](std::ostream &out) { print_parameters(out, prm); });
   }

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/case_sections.h>
 #include <vfife/base/parameters/declared_section.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/section_of_options.h>
@@ -21,8 +22,6 @@ namespace vfife
 {
   namespace
   {
-    constexpr const char *pair_section = "Gear pair";
-
     /** Diameter of a circle about the axis at the cone distance @p L, @p h over the pitch cone
      * [mm]: 2 (L sin d + h cos d). */
     double diameter_at(const Blank &blank, const double L, const double h)
@@ -100,7 +99,8 @@ namespace vfife
         const std::vector<std::string> differences =
           given.find_section(name)->list_differences(*defaults.find_section(name));
         if (!differences.empty())
-          settings_.push_back(std::string(pair_section) + "/" + name + ": " + list_of(differences));
+          settings_.push_back(std::string(spiral_bevel_section) + "/" + name + ": " +
+                              list_of(differences));
       }
     for (unsigned int b = 0; bodies && b < 2; ++b)
       if ((*bodies)[b].shaft.present())
@@ -169,8 +169,9 @@ namespace vfife
   GearPairOptions read_pair_options(const ParameterFile &file)
   {
     GearPairOptions options;
-    file.read_known(
-      [&](dealii::ParameterHandler &known) { declare_section(known, pair_section, options); });
+    file.read_known([&](dealii::ParameterHandler &known) {
+      declare_section(known, spiral_bevel_section, options);
+    });
     return options;
   }
 
@@ -178,17 +179,19 @@ namespace vfife
                                                  const dealii::ParameterHandler &prm)
   {
     const auto reads = [entries = find_declared(prm).list_values()](const std::string &entry) {
-      const std::string path = std::string(pair_section) + "/" + entry;
+      const std::string path = std::string(spiral_bevel_section) + "/" + entry;
       return std::any_of(entries.begin(), entries.end(), [&path](const auto &one) {
         return one.first == path;
       });
     };
     if (!reads("Gear/Blank/number of teeth"))
       return {};
+    GearPairOptions      options;
     PairGeometry::Bodies bodies;
     bodies[0] = pinion_body_defaults();
     file.read_known([&](dealii::ParameterHandler &known) {
-      const Subsection section(known, pair_section);
+      declare_section(known, spiral_bevel_section, options);
+      const Subsection section(known, spiral_bevel_section);
       for (unsigned int b = 0; b < 2; ++b)
         {
           const Subsection member(known, b == 0 ? "Pinion" : "Gear");
@@ -197,7 +200,7 @@ namespace vfife
         }
     });
     const bool has_bodies = reads("Gear/Body/body type");
-    return PairGeometry(read_pair_options(file),
+    return PairGeometry(options,
                         has_bodies ? std::optional<PairGeometry::Bodies>(bodies) : std::nullopt);
   }
 } // namespace vfife

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/case_sections.h>
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameter_file.h>
@@ -184,7 +185,7 @@ namespace vfife
       // What was proposed stands among the settings now: read again, nothing is to be proposed.
       options.proposal = PairProposal();
       dealii::ParameterHandler prm;
-      declare_section(prm, "Gear pair", options);
+      declare_section(prm, spiral_bevel_section, options);
       // measured errors stay where they are
       const AbsoluteFileNames absolute(prm);
       folder.write_file("pair.prm", [&](std::ostream &out) { print_parameters(out, prm); });
@@ -270,14 +271,14 @@ namespace vfife
       {
         // Torque, speed and material of the same case, where the file has them: for its checks.
         file.read_known([&](dealii::ParameterHandler &known) { gear_case_.declare(known, file); });
-        declare_section(prm, "Gear pair", pair_);
+        declare_section(prm, spiral_bevel_section, pair_);
         options_.declare(prm);
         output_.declare(prm);
       }
 
       void check() const override
       {
-        pair_.check("Gear pair");
+        pair_.check(spiral_bevel_section);
         output_.check("Output");
       }
 

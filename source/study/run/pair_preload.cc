@@ -215,12 +215,10 @@ namespace vfife
   void PreloadedPair::log_preload() const
   {
     const DeflectionParts &parts = preload_.parts;
-    const bool warm = std::any_of(model_.bodies.begin(), model_.bodies.end(), [](const Body &body) {
-      return body.has_initial_strains();
-    });
     log_.line("transmission error under load ",
               parts.total / arcsecond,
-              warm ? " arcsec: centrifugal and thermal shift " : " arcsec: centrifugal shift ",
+              model_.has_initial_strains() ? " arcsec: centrifugal and thermal shift "
+                                           : " arcsec: centrifugal shift ",
               parts.centrifugal / arcsecond,
               ", web windup ",
               parts.web_windup / arcsecond,

@@ -65,8 +65,7 @@ namespace vfife
     const Communicator &communicator_;
     NodeField           places_, local_; ///< X, and about the middle of each body
     NodeField           displacements_, scaled_, other_;
-    double              scale_    = 1;
-    bool                strained_ = false; ///< a body has initial strains
+    double              scale_ = 1;
   };
 } // namespace vfife
 

@@ -77,6 +77,8 @@ namespace vfife
 
     /** Displacements of all points in steady spin (of the sector, where one is computed). */
     std::vector<double> find_equilibrium(double rate) const;
+    /** Whether these are not zero: the body spins or has initial strains. */
+    bool deforms_at(double rate) const;
 
     const FemSpace &space() const
     {

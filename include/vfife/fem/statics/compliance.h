@@ -87,9 +87,6 @@ namespace vfife
     {
       return spun_;
     }
-    /** Whether a body has initial strains: a temperature or an interference. */
-    bool is_strained() const;
-
     /** Displacements of all points under the model's torques in full [mm]. */
     const std::vector<double> &twisted() const
     {

@@ -66,10 +66,11 @@ namespace vfife
 
     // Checks.
 
-    /** What report_checks() looks at; the path of contact where @p with_path. */
+    /** What these look at; the path of contact where @p with_path. */
     virtual PairFacts facts(bool with_path) const = 0;
     /** Logs both torques and Hertz's contact besides, where there is a torque. */
     std::vector<std::string> report_checks(const RunPlan &plan, Log &log) const override;
+    std::string              find_cause() const override;
 
     // Teeth.
 

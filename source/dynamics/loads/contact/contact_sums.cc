@@ -8,19 +8,18 @@ namespace vfife
 {
   void ContactSums::set(const ContactPairs &pairs, const bool fails)
   {
-    // Energy, lost power, whether a point is too deep, friction loss, pressure, failure.
     sums_ = {};
     for (const auto &pair : pairs)
       for (const GroupPairResult &result : pair->contact.results())
         {
-          sums_[0] += result.energy;
-          sums_[1] += result.damping_power;
-          sums_[3] += result.friction_loss;
-          sums_[4] += result.normal_force;
+          sums_[of_energy] += result.energy;
+          sums_[of_lost_power] += result.damping_power;
+          sums_[of_friction_loss] += result.friction_loss;
+          sums_[of_pressure] += result.normal_force;
           if (result.largest_penetration > pair->penetration_limit())
-            sums_[2] = 1;
+            sums_[of_depth] = 1;
         }
-    sums_[5] = fails ? 1. : 0.;
+    sums_[of_failure] = fails ? 1. : 0.;
   }
 
   void ContactSums::set_teeth(const Model &model, const ContactPairs &pairs)

@@ -262,12 +262,6 @@ namespace vfife
     return TorquePressure(hertz_contact_of(pair), driven_torque() / arm);
   }
 
-  std::string GearCase::find_cause() const
-  {
-    const std::optional<TorquePressure> pressure = torque_pressure(make_pair());
-    return pressure ? pressure->find_excess(operation_.pressure_limit) : "";
-  }
-
   PairFacts GearCase::facts(const bool with_path) const
   {
     const GearPair pair = make_pair();

@@ -1,11 +1,12 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/case_sections.h>
 #include <vfife/gear/spiral_bevel/gear_pair.h>
 #include <vfife/study/cases/gear/gear_case_options.h>
 
 namespace vfife
 {
   GearCaseOptions::GearCaseOptions()
-    : PairOptions("Gear pair")
+    : PairOptions(spiral_bevel_section)
   {
   }
 

@@ -6,6 +6,7 @@
 #include <vfife/output/output_options.h>
 #include <vfife/study/cases/contact_resolution.h>
 #include <vfife/study/cases/pair/pair_conflicts.h>
+#include <vfife/study/cases/pair_case.h>
 
 #include <algorithm>
 #include <cmath>
@@ -112,11 +113,16 @@ namespace vfife
       return "";
     }
 
+    /** What is wrong with Hertz's pressure under all the torque; empty for nothing. */
+    std::string describe_excess(const PairCase &pair_case, const PairFacts &facts)
+    {
+      return facts.pressure ? facts.pressure->find_excess(pair_case.operation().pressure_limit)
+                            : "";
+    }
+
     std::string check_pressure(const Pair &pair, const RunPlan &)
     {
-      return pair.facts.pressure
-               ? pair.facts.pressure->find_excess(pair.pair_case.operation().pressure_limit)
-               : "";
+      return describe_excess(pair.pair_case, pair.facts);
     }
 
     std::string check_path(const Pair &pair, const RunPlan &)
@@ -228,24 +234,6 @@ namespace vfife
                                        &check_checkpoint};
   } // namespace
 
-  std::vector<std::string>
-  report_conflicts(const PairCase &pair_case, const PairFacts &facts, const RunPlan &plan, Log &log)
-  {
-    // Contradictions are said and not refused: a user may want just that.
-    std::vector<std::string> found;
-    for (const Check check : checks)
-      {
-        const std::string sentence = check({pair_case, facts}, plan);
-        if (sentence.empty())
-          continue;
-        found.push_back(sentence);
-        log.line("warning: input conflict: ", sentence);
-      }
-    if (found.empty())
-      log.line("no input conflicts found");
-    return found;
-  }
-
   // The checks know the case, which knows none of them.
   std::vector<std::string> PairCase::report_checks(const RunPlan &plan, Log &log) const
   {
@@ -260,6 +248,23 @@ namespace vfife
                  " N m, without friction");
         log.line(known.pressure->describe());
       }
-    return report_conflicts(*this, known, plan, log);
+    // Contradictions are said and not refused: a user may want just that.
+    std::vector<std::string> found;
+    for (const Check check : checks)
+      {
+        const std::string sentence = check({*this, known}, plan);
+        if (sentence.empty())
+          continue;
+        found.push_back(sentence);
+        log.line("warning: input conflict: ", sentence);
+      }
+    if (found.empty())
+      log.line("no input conflicts found");
+    return found;
+  }
+
+  std::string PairCase::find_cause() const
+  {
+    return describe_excess(*this, facts(false));
   }
 } // namespace vfife

@@ -31,33 +31,33 @@ namespace vfife
     /** Whether anything pressed. */
     bool is_pressed() const
     {
-      return sums_[4] > 0;
+      return sums_[of_pressure] > 0;
     }
     /** Energy stored in the contact springs [mJ]. That of a step that is integrated implicitly may
      * be negative where a point comes or goes. */
     double energy() const
     {
-      return sums_[0];
+      return sums_[of_energy];
     }
     /** Power lost in contact damping [mW = mJ/s]. */
     double lost_power() const
     {
-      return sums_[1];
+      return sums_[of_lost_power];
     }
     /** Lost in friction since the evaluation before [mJ]. */
     double friction_loss() const
     {
-      return sums_[3];
+      return sums_[of_friction_loss];
     }
     /** Whether a penetration is beyond its pair's penetration limit. */
     bool is_too_deep() const
     {
-      return sums_[2] > 0;
+      return sums_[of_depth] > 0;
     }
     /** Whether the evaluation has failed on some rank. */
     bool fails() const
     {
-      return sums_[5] > 0;
+      return sums_[of_failure] > 0;
     }
     /** At the last set_teeth(): sum of the magnitudes of the tooth pairs' forces [N], and torque on
      * the driven member [N mm]. */
@@ -65,9 +65,18 @@ namespace vfife
     double torque() const;
 
   private:
-    /** Energy, lost power, number of ranks with a penetration that is too deep, friction loss,
-     * integral of the pressure, number of ranks that failed. */
-    std::array<double, 6> sums_ = {};
+    enum Sum : std::size_t
+    {
+      of_energy,
+      of_lost_power,
+      of_depth, ///< ranks with a penetration that is too deep
+      of_friction_loss,
+      of_pressure, ///< its integral [N]
+      of_failure,  ///< ranks that failed
+      n_sums
+    };
+
+    std::array<double, n_sums> sums_ = {};
     /** Of a gear pair: torque on the driven member, then the force of each candidate pair of teeth.
      */
     std::vector<double> teeth_;

@@ -47,8 +47,7 @@ namespace vfife
     Table
     flank_points(unsigned int member, unsigned int lengthwise, unsigned int profile) const override;
 
-    PairFacts   facts(bool with_path) const override;
-    std::string find_cause() const override;
+    PairFacts facts(bool with_path) const override;
 
     /** The pair with everything derived. */
     GearPair make_pair() const;
