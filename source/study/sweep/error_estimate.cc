@@ -16,6 +16,9 @@ namespace vfife
   {
     // Below, the limit lies many differences away; above, linear elements do not go on so.
     constexpr double lowest_order = 0.5, highest_order = 2.1;
+    // The extrapolated limit is an estimate: without the factor half of the bars would be too
+    // small.
+    constexpr double safety_factor = 1.25;
 
     /** The order p of f = f_0 + C h^p through three values; nothing where there is no sensible one.
      */
@@ -75,11 +78,12 @@ namespace vfife
     if (f.size() >= 3 && !sizes.empty())
       if (const auto order = find_order(&f[last - 2], &h[last - 2]))
         {
-          // |C| h^p of the last value
           result.method = ErrorMethod::richardson;
           result.order  = *order;
-          result.error =
+          // |C| h^p of the last value
+          const double distance =
             std::abs(f[last - 1] - f[last]) / (std::pow(h[last - 1] / h[last], *order) - 1);
+          result.error = safety_factor * distance;
           return result;
         }
     result.method = ErrorMethod::spread;

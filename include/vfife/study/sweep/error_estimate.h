@@ -15,7 +15,7 @@ namespace vfife
   {
     not_known, ///< less than two values, or none of the finest
     spread,    ///< largest less smallest value
-    richardson ///< distance to the limit of the last three values
+    richardson ///< distance to the limit of the last three values, with a safety factor
   };
 
   /** How far the last value of a sequence may be from its limit. */
@@ -35,11 +35,12 @@ namespace vfife
    * Error of the last one of values that were computed with ever finer numerical parameters; those
    * that are not finite are missing and are left out.
    *
-   * With f = f_0 + C h^p through the last three values the error is |C| h^p of the last one, where
-   * the three are monotone and p is between 0.5 and 2.1; without a safety factor. Otherwise it is
-   * the spread, largest less smallest, of all values. Bounds of p: L. Eca, M. Hoekstra, A procedure
-   * for the estimation of the numerical uncertainty of CFD calculations based on grid refinement
-   * studies, J. Comput. Phys. 262 (2014) 104-130.
+   * With f = f_0 + C h^p through the last three values the error is 1.25 |C| h^p of the last one,
+   * where the three are monotone and p is between 0.5 and 2.1. Otherwise there is no order, and the
+   * error is the spread, largest less smallest, of all values. Bounds of p and safety factor: L.
+   * Eca, M. Hoekstra, A procedure for the estimation of the numerical uncertainty of CFD
+   * calculations based on grid refinement studies, J. Comput. Phys. 262 (2014) 104-130. Their
+   * factor 3 for sequences without an order is not applied: the spread is a range, not a bound.
    *
    * @param sizes relative sizes h that fall, one for each value; or none, where they are not known:
    * then it is the spread.

@@ -23,7 +23,7 @@ def tell_error_bars(study, plots):
         return
     parameters = ", ".join(bars.quantities[0].parts) if bars.quantities else ""
     yield Paragraph(f"Each value is from the finest numerical parameters ({parameters}). Its error is the sum of the errors by each "
-                    "parameter. An error is the Richardson estimate if three values are monotone with an order between 0.5 and 2.1. "
+                    "parameter. An error is 1.25 times the Richardson estimate if three values are monotone with an order between 0.5 and 2.1. "
                     "Otherwise it is the spread of the values.")
     yield Paragraph("A difference between two variants is significant if it exceeds the sum of both errors. Only its sign is significant "
                     "if it exceeds the error of the difference, in which common errors cancel.")
