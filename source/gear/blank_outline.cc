@@ -13,7 +13,7 @@ namespace vfife
 
   double BlankOutline::flank_tip(const double cone_distance) const
   {
-    return addendum(cone_distance);
+    return addendum(cone_distance) - tip_chamfer;
   }
 
   double BlankOutline::dedendum(const double cone_distance) const

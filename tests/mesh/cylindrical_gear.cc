@@ -27,7 +27,10 @@ namespace
   class CylindricalGear : public GearGeometry
   {
   public:
-    CylindricalGear(const unsigned int teeth, const double module, const double helix_angle)
+    CylindricalGear(const unsigned int teeth,
+                    const double       module,
+                    const double       helix_angle,
+                    const double       tip_chamfer = 0.)
       : pitch_radius(.5 * module * teeth)
       , base_radius(pitch_radius * std::cos(pressure_angle))
       , fillet_radius(.3 * module)
@@ -39,6 +42,7 @@ namespace
       blank_.outer_cone_distance = 4. * module;
       blank_.mean_addendum       = module;
       blank_.mean_dedendum       = 1.25 * module;
+      blank_.tip_chamfer         = tip_chamfer;
     }
 
     std::unique_ptr<GearGeometry> clone() const override
@@ -113,9 +117,12 @@ namespace
     double area() const
     {
       const double start = root_radius() + fillet_radius, tip = pitch_radius + blank_.mean_addendum;
+      const double end = tip - blank_.tip_chamfer, corner = half_tooth(tip) - (tip - end) / tip;
       const auto cube = [&](const double r) { return std::pow(std::tan(pressure_angle_at(r)), 3); };
-      double     half = .5 * half_tooth(tip) * tip * tip + // tip land, involute
-                    base_radius * base_radius / 6. * (cube(tip) - cube(start));
+      // tip land, chamfer whose radius is linear in the angle, involute
+      double half = .5 * corner * tip * tip +
+                    (half_tooth(end) - corner) * (tip * tip + tip * end + end * end) / 6. +
+                    base_radius * base_radius / 6. * (cube(end) - cube(start));
       constexpr unsigned int n    = 2000;
       double                 edge = half_tooth(start);
       for (unsigned int i = n; i > 0; --i) // fillet, from the flank down to the root
@@ -216,6 +223,11 @@ int main()
   solid.cells_lengthwise = 4;
   const double full      = (spur.area() - pi * bore * bore) * width;
   check_body("spur", spur, solid, full);
+  const CylindricalGear chamfered(48, 2.5, 0., .4);
+  check_body("spur with tip chamfers",
+             chamfered,
+             solid,
+             (chamfered.area() - pi * bore * bore) * width);
   solid.cells_lengthwise = 8;
   check_body("helical", helical, solid, full);
 

@@ -244,7 +244,7 @@ namespace
         check(mesh->name + ": shape of the cells",
               quality.least_determinant > 0. && quality.least_scaled_jacobian > .5);
         // Lengths in the hub count twice, and each diameter for a row.
-        const double foreseen = options.n_cells(gear.blank().teeth) / quality.cells;
+        const double foreseen = options.n_cells(gear.blank()) / quality.cells;
         check(mesh->name + ": number of cells foreseen", foreseen > 1. && foreseen < 2.);
       }
   }

@@ -34,17 +34,19 @@ namespace paper
             turn_of_convex};
   }
 
-  inline vfife::GearMember gear()
+  inline vfife::GearMember gear(const double tip_chamfer = 0.)
   {
     vfife::GearMemberOptions cut = options().gear;
     cut.concave.point_radius     = 96.24;
+    cut.blank.tip_chamfer        = tip_chamfer;
     return member("gear", cut, 71.131001, {{1.056331241780, 1.056331241780}}, 2. * vfife::pi / 79);
   }
 
-  inline vfife::GearMember pinion()
+  inline vfife::GearMember pinion(const double tip_chamfer = 0.)
   {
-    return member(
-      "pinion", options().pinion, 18.868999, {{3.005081151868, 3.130726290317}}, -0.038533425504);
+    vfife::GearMemberOptions cut = options().pinion;
+    cut.blank.tip_chamfer        = tip_chamfer;
+    return member("pinion", cut, 18.868999, {{3.005081151868, 3.130726290317}}, -0.038533425504);
   }
 } // namespace paper
 

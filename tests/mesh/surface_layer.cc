@@ -63,7 +63,7 @@ namespace
     const std::string name = member.name() + ": ";
     check_close(name + "cells",
                 mesh->triangulation.n_active_cells(),
-                options.n_cells(member.blank().teeth),
+                options.n_cells(member.blank()),
                 0.);
 
     // All surfaces have the nodes that they have without a layer.

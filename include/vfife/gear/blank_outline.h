@@ -39,6 +39,7 @@ namespace vfife
     double       face_width          = 0;               ///< along the pitch line [mm]
     double       mean_addendum       = 0;               ///< at the mean cone distance [mm]
     double       mean_dedendum       = 0;               ///< at the mean cone distance [mm]
+    double       tip_chamfer         = 0;               ///< legs c of the tips' chamfers [mm]
 
     /** L of the toe [mm]. */
     double inner_cone_distance() const
@@ -47,7 +48,11 @@ namespace vfife
     }
     /** Height a(L) of the tip over the pitch line [mm]. */
     double addendum(double cone_distance) const;
-    /** Height over the pitch line at which flanks end [mm]: that of the tip. */
+    /**
+     * Height over the pitch line at which flanks end [mm]: a(L) - c. From there, in the section, a
+     * flat chamfer leads to the top land at a(L). Its legs start at the edge that flank and top
+     * land have without it: c in height, and the arc c along the top land.
+     */
     double flank_tip(double cone_distance) const;
     /** Depth b(L) > 0 of the root under the pitch line [mm]. */
     double dedendum(double cone_distance) const;

@@ -37,6 +37,9 @@ namespace vfife
 
     constexpr char concave_fillet[] = "concave fillet"; ///< from root land to start of the flank
     constexpr char convex_fillet[]  = "convex fillet";
+
+    constexpr char concave_chamfer[] = "concave chamfer"; ///< from end of the flank to the tip
+    constexpr char convex_chamfer[]  = "convex chamfer";
   } // namespace node_set
 
   namespace surface_name
@@ -63,7 +66,9 @@ namespace vfife
             node_set::bore,
             node_set::shaft_surface,
             node_set::shaft_bore,
-            node_set::shaft_ends};
+            node_set::shaft_ends,
+            node_set::concave_chamfer,
+            node_set::convex_chamfer};
   }
 } // namespace vfife
 

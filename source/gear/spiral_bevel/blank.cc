@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/gear/findings.h>
 #include <vfife/gear/spiral_bevel/blank.h>
@@ -167,6 +168,15 @@ namespace vfife
               {"root angle", "pitch angle", "number of teeth", "face width"},
               "Mean dedendum " + millimetres(mean_dedendum) + " with the root angle " +
                 degrees(root_angle) + " leaves no dedendum at the toe");
+  }
+
+  void Blank::check_tip_chamfer(const std::string &section) const
+  {
+    const double most = addendum(inner_cone_distance());
+    if (tip_chamfer != 0. && !(tip_chamfer > 0. && tip_chamfer < most))
+      throw InputError(section + "/tip chamfer",
+                       "expected less than the addendum at the toe, " + millimetres(most) +
+                         ", got " + millimetres(tip_chamfer));
   }
 
   double pitch_angle_of(const double own_teeth, const double other_teeth, const double shaft_angle)

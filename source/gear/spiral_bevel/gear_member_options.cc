@@ -241,6 +241,14 @@ namespace vfife
                      "mm",
                      "Nominal sum of outside and inside point radius",
                      Range::positive().or_word("not given"));
+    declare_quantity(prm,
+                     "tip chamfer",
+                     blank.tip_chamfer,
+                     "mm",
+                     "Chamfer between flanks and top land: height, normal to the pitch cone, by "
+                     "which the flanks end below the tip, and width of the top land that it takes "
+                     "on either side; 0: sharp edges",
+                     Range::not_negative());
     declare_section(prm, "Blank", blank);
     {
       Subsection subsection(prm, "Both flanks");

@@ -3,6 +3,8 @@
 #include <vfife/gear/spiral_bevel/gear_pair.h>
 #include <vfife/gear/spiral_bevel/mean_contact.h>
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace vfife
@@ -69,6 +71,31 @@ namespace vfife
               << " arcsec instead of " << proposal.lag / arcsecond
               << ", major semi-axis of the ellipse " << axis << " mm instead of " << asked_axis;
       refuse_proposal(proposal, shaft_angle, message.str());
+    }
+
+    /** Throws InputError where the chamfers of a tooth leave less than a fifth of its top land. */
+    void check_top_land(const GearMember &member, const std::string &section)
+    {
+      constexpr double largest_part = .8;
+      const Blank     &blank        = member.blank();
+      if (!(blank.tip_chamfer > 0.))
+        return;
+      for (const double L : {blank.inner_cone_distance(), blank.outer_cone_distance})
+        {
+          const double width = member.tooth_thickness(L, blank.addendum(L));
+          const double most  = std::max(0., largest_part * width / 2.);
+          if (blank.tip_chamfer > most)
+            throw InputError(section + "/tip chamfer",
+                             text_of("expected at most ",
+                                     std::floor(100. * most) / 100.,
+                                     " mm, because the top land without chamfers is ",
+                                     width,
+                                     " mm wide at cone distance ",
+                                     L,
+                                     " mm, got ",
+                                     blank.tip_chamfer,
+                                     " mm"));
+        }
     }
   } // namespace
 
@@ -176,6 +203,8 @@ namespace vfife
             design_.gear_upper == FlankSide::concave ? -2. * pi / design_.options.gear.blank.teeth
                                                      : 0.)
   {
+    check_top_land(pinion_, "Gear pair/Pinion");
+    check_top_land(gear_, "Gear pair/Gear");
     // A proposal is checked as designed, before the errors of mounting.
     if (design_.options.proposal.is_given())
       for (const MeshSide side : {MeshSide::drive, MeshSide::coast})

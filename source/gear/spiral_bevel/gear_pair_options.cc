@@ -19,10 +19,12 @@ namespace vfife
     /** Part of the sum of dedendum angles by which it may miss the duplex formula. */
     constexpr double duplex_tolerance = 0.15;
 
-    /** Adds the paths of the entries of a member that have another value than their default. */
+    /** Adds the paths of the entries of a member that have another value than their default. The
+     * tip chamfer is none of those that make a pair. */
     void
     add_given(GearMemberOptions member, const std::string &section, std::vector<std::string> &paths)
     {
+      member.blank.tip_chamfer = 0.;
       GearMemberOptions        nothing;
       dealii::ParameterHandler given, defaults;
       member.declare(given);
@@ -278,6 +280,8 @@ namespace vfife
   {
     examine(section).raise();
     const GearPairOptions options = completed();
+    options.pinion.blank.check_tip_chamfer(section + "/Pinion");
+    options.gear.blank.check_tip_chamfer(section + "/Gear");
     pinion_errors.check(section + "/Errors/Pinion", options.pinion.blank.teeth);
     gear_errors.check(section + "/Errors/Gear", options.gear.blank.teeth);
   }

@@ -56,11 +56,11 @@ namespace vfife
           return section;
 
         // The tip land is measured normal to the teeth: transverse thickness times cos b.
-        const double tip   = member_.blank().flank_tip(L);
+        const double tip   = member_.blank().addendum(L);
         section.thickness  = member_.tooth_thickness(L, 0.);
         const Flank &flank = member_.generated_flank(FlankSide::concave);
-        section.tip_land =
-          member_.tooth_thickness(L, tip) * std::cos(flank.spiral_angle(flank.point_at(L, tip)));
+        section.tip_land   = (member_.tooth_thickness(L, tip) - 2. * member_.blank().tip_chamfer) *
+                           std::cos(flank.spiral_angle(flank.point_at(L, tip)));
         if (section.tip_land <= 0.)
           findings_.add(Findings::Action::stop,
                         section_ + "/Blank/mean addendum",

@@ -40,7 +40,7 @@ namespace vfife
     check_surface_layer(gear.name() + "/Mesh", gear, asked.fillet_corner, asked.surface_layer);
     // 1. The template of one sector.
     const GearBodyOptions options = with_counts_of_size(asked, gear);
-    check_mesh_size(gear.name(), options.n_cells(gear.blank().teeth));
+    check_mesh_size(gear.name(), options.n_cells(gear.blank()));
     const GearSector   sector    = make_gear_sector(gear, options);
     const unsigned int n_sectors = gear.blank().teeth, n_nodes = sector.nodes.size();
 

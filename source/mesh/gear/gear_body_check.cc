@@ -193,8 +193,7 @@ namespace vfife
       {
         GearBodyOptions bare = options;
         bare.shaft           = {};
-        check_mesh_size(section + "/Shaft",
-                        options.n_cells(blank.teeth) - bare.n_cells(blank.teeth));
+        check_mesh_size(section + "/Shaft", options.n_cells(blank) - bare.n_cells(blank));
       }
     refuse.unless(options.element_size == 0. ||
                     options.element_size >= least_size_part * blank.face_width,
@@ -204,7 +203,7 @@ namespace vfife
     if (options.element_size == 0.)
       {
         check_counts(options, refuse);
-        check_mesh_size(section + "/Mesh", options.n_cells(blank.teeth));
+        check_mesh_size(section + "/Mesh", options.n_cells(blank));
       }
 
     const double L = blank.inner_cone_distance();

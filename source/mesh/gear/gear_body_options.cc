@@ -236,15 +236,16 @@ namespace vfife
     web_direction                                                         = WebDirection::fitting;
   }
 
-  double GearBodyOptions::n_cells(const unsigned int teeth) const
+  double GearBodyOptions::n_cells(const BlankOutline &blank) const
   {
-    // In numbers that do not overflow. The tooth has a row for the fillet besides those of the
-    // flank.
-    const double in_teeth = cells_lengthwise * (flank_rows + 1.) * cells_across;
+    // In numbers that do not overflow. The tooth has rows for fillet and chamfer besides those of
+    // the flank.
+    const double rows     = flank_rows + (blank.tip_chamfer > 0. ? 2. : 1.);
+    const double in_teeth = cells_lengthwise * rows * cells_across;
     const double in_rim   = static_cast<double>(cells_lengthwise) * rim_rows * columns();
     double       n        = in_teeth + in_rim;
     if (surface_layer > 0.)
-      n += cells_lengthwise * (cells_across + 2. * (flank_rows + 3.));
+      n += cells_lengthwise * (cells_across + 2. * (rows + 2.));
     if (web == WebKind::solid)
       n += shaft.n_cells(bore_radius, columns(), cells_lengthwise);
     if (web == WebKind::conical)
@@ -258,7 +259,7 @@ namespace vfife
         n += hub_rows * (2. * hub_side_cells + web_layers) * groups;
         n += shaft.n_cells(bore_radius, groups, 2 * hub_side_cells + web_layers);
       }
-    return teeth * n * std::pow(8., refinements);
+    return blank.teeth * n * std::pow(8., refinements);
   }
 
   GearBodyOptions pinion_body_defaults()

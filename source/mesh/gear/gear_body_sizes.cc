@@ -72,7 +72,7 @@ namespace vfife
     // teeth at mid-face, then what lies under them, down to bore, underside or hub
     options.cells_lengthwise = count(blank.face_width, 1, on_web ? 1.25 : 1.);
     options.cells_across     = count(gear.tooth_thickness(L, 0.), 2, 1.25);
-    options.flank_rows       = count(blank.addendum(L) + blank.dedendum(L), 1, .9);
+    options.flank_rows       = count(blank.flank_tip(L) + blank.dedendum(L), 1, .9);
     if (options.web == WebKind::solid)
       {
         const double root = blank.meridian_point({L, -blank.dedendum(L)})[0];

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/mesh/gear/gear_manifolds.h>
+#include <vfife/mesh/gear/gear_section.h>
 #include <vfife/mesh/node_set_names.h>
 
 #include <deal.II/grid/manifold_lib.h>
@@ -97,8 +98,8 @@ namespace vfife
   dealii::Point<3> FlankManifold::get_new_point(const Points  &surrounding_points,
                                                 const Weights &weights) const
   {
-    // The mean is taken in cone coordinates (L, h), and the new node is the flank's own point
-    // there.
+    // The mean is taken in cone coordinates (L, h), and the new node is the own point of flank or
+    // chamfer there.
     Vector2 mean = Vector2::Zero();
     for (std::size_t i = 0; i < weights.size(); ++i)
       mean += weights[i] * gear_->blank().coordinates_of(vector_of(surrounding_points[i]));
@@ -108,7 +109,7 @@ namespace vfife
     const Vector2 L_h   = gear_->blank().coordinates_of(first);
     const Matrix3 rotation =
       rotation_between(*gear_, gear_->flank_point(side_, L_h[0], L_h[1]).position, first);
-    return turned(rotation, gear_->flank_point(side_, mean[0], mean[1]).position);
+    return turned(rotation, point_of_side(*gear_, side_, mean[0], mean[1]));
   }
 
   FilletManifold::FilletManifold(const GearGeometry &gear, const FlankSide side)
@@ -185,9 +186,12 @@ namespace vfife
     triangulation.set_manifold(concave_fillet, FilletManifold(gear, FlankSide::concave));
     triangulation.set_manifold(convex_fillet, FilletManifold(gear, FlankSide::convex));
 
-    // Fillets last: they keep the edge to the flank, flanks keep the tip.
+    // Fillets last: they keep the edge to the flank, flanks and chamfers keep the tip.
     const std::vector<std::pair<std::string, ManifoldIds>> order[2] = {
-      {{surface_name::concave, concave_flank}, {surface_name::convex, convex_flank}},
+      {{surface_name::concave, concave_flank},
+       {surface_name::convex, convex_flank},
+       {node_set::concave_chamfer, concave_flank},
+       {node_set::convex_chamfer, convex_flank}},
       {{node_set::concave_fillet, concave_fillet}, {node_set::convex_fillet, convex_fillet}}};
     for (const auto &surfaces : order)
       for (const auto &cell : triangulation.active_cell_iterators())

@@ -125,7 +125,7 @@ namespace vfife
       return sum;
     }
 
-    /** Points (h, angle) of a flank of tooth 0 from the fillet's bottom to the tip, angles near
+    /** Points (h, angle) of a side of tooth 0 from the fillet's bottom to the top land, angles near
      * @p angle. */
     std::vector<Vector2> compute_fine_profile(const GearGeometry &gear,
                                               const FlankSide     side,
@@ -142,6 +142,8 @@ namespace vfife
       const double start = profile.back()[0], tip = blank.flank_tip(L);
       for (unsigned int i = 1; i <= n_flank; ++i)
         add(gear.flank_point(side, L, start + (tip - start) * i / n_flank).position);
+      if (blank.tip_chamfer > 0.)
+        add(point_of_side(gear, side, L, blank.addendum(L)));
       return profile;
     }
 

@@ -18,6 +18,22 @@ namespace vfife
     return {blank.coordinates_of(x)[1], near_angle + std::remainder(angle - near_angle, 2. * pi)};
   }
 
+  Vector3
+  point_of_side(const GearGeometry &gear, const FlankSide side, const double L, const double h)
+  {
+    const BlankOutline &blank = gear.blank();
+    const double        start = blank.flank_tip(L);
+    if (!(blank.tip_chamfer > 0. && h > start))
+      return gear.flank_point(side, L, h).position;
+    const double tip   = blank.addendum(L);
+    const double angle = polar_angle(gear.flank_point(side, L, start).position);
+    const double edge =
+      section_coordinates(blank, gear.flank_point(side, L, tip).position, angle)[1];
+    const double inward = blank.tip_chamfer / blank.meridian_point({L, tip})[0];
+    const double end    = edge + (side == gear.lower_side() ? inward : -inward);
+    return position_of(blank, L, h, angle + (h - start) / blank.tip_chamfer * (end - angle));
+  }
+
   namespace
   {
     /** Throws InputError where the flank does not start where the fillet ends: the cutter's edge
@@ -49,7 +65,7 @@ namespace vfife
       throw InputError(message.str());
     }
 
-    /** Profile of a flank from the fillet's bottom to the tip, points (h, angle). */
+    /** Profile of a flank from the fillet's bottom to the top land, points (h, angle). */
     std::vector<Vector2> compute_profile(const GearGeometry &gear,
                                          const FlankSide     side,
                                          const double        L,
@@ -82,6 +98,12 @@ namespace vfife
         {
           const double  h = start_height + (tip_height - start_height) * part;
           const Vector3 x = gear.flank_point(side, L, h).position;
+          profile.emplace_back(h, section_coordinates(blank, x, near_angle)[1]);
+        }
+      if (blank.tip_chamfer > 0.)
+        {
+          const double  h = blank.addendum(L);
+          const Vector3 x = point_of_side(gear, side, L, h);
           profile.emplace_back(h, section_coordinates(blank, x, near_angle)[1]);
         }
       return profile;
@@ -169,12 +191,14 @@ namespace vfife
                           const double        fillet_corner,
                           const double        depth)
   {
-    const double     L = section.cone_distance;
-    const InwardMove move(gear.blank(), L, depth);
-    GearSection      moved        = section;
-    const auto       move_profile = [&](const FlankSide side, std::vector<Vector2> &profile) {
+    const double        L     = section.cone_distance;
+    const BlankOutline &blank = gear.blank();
+    const unsigned int  ends  = blank.tip_chamfer > 0. ? 2 : 0; // of a chamfer
+    const InwardMove    move(blank, L, depth);
+    GearSection         moved        = section;
+    const auto          move_profile = [&](const FlankSide side, std::vector<Vector2> &profile) {
       const double end = gear.fillet_end(side);
-      for (unsigned int k = 0; k < profile.size(); ++k)
+      for (unsigned int k = 0; k < profile.size() - ends; ++k)
         {
           const bool in_fillet = k < 2;
           profile[k] = move(in_fillet ? gear.fillet_point(side, L, k * fillet_corner * end)
@@ -182,6 +206,15 @@ namespace vfife
                             profile[k][1],
                             k + 1 == profile.size());
         }
+      if (ends == 0)
+        return;
+      // Its size must not shrink with the depth of the layer, which may be larger.
+      const SurfacePoint edge  = gear.flank_point(side, L, blank.addendum(L));
+      const double       angle = profile.back()[1];
+      const Vector2      shift =
+        move(edge, angle, true) - section_coordinates(blank, edge.position, angle);
+      for (unsigned int k = profile.size() - ends; k < profile.size(); ++k)
+        profile[k] += shift;
     };
     move_profile(gear.lower_side(), moved.lower);
     move_profile(gear.upper_side(), moved.upper);
@@ -191,7 +224,7 @@ namespace vfife
 
   namespace
   {
-    /** Angle between the two flanks at the tip [rad]. */
+    /** Angle of the tip between the two flanks or their chamfers [rad]. */
     double top_land(const GearSection &section)
     {
       return section.upper.back()[1] - section.lower.back()[1];
@@ -208,9 +241,9 @@ namespace vfife
       {
         const GearSection outline = compute_gear_section(gear, L, 1);
         const double      width   = top_land(outline),
-                     depth = small * width * blank.meridian_point({L, blank.flank_tip(L)})[0],
-                     left  = top_land(move_inward(gear, outline, fillet_corner, depth));
-        most               = std::min(most, part_of_top_land * depth * width / (width - left));
+                     depth        = small * width * blank.meridian_point({L, blank.addendum(L)})[0],
+                     left         = top_land(move_inward(gear, outline, fillet_corner, depth));
+        most = std::min(most, part_of_top_land * depth * width / (width - left));
       }
     return most;
   }
@@ -231,7 +264,7 @@ namespace vfife
                      left         = top_land(move_inward(gear, outline, fillet_corner, depth));
         if (left > least_part_of_top_land * width)
           continue;
-        const double       radius = blank.meridian_point({L, blank.flank_tip(L)})[0];
+        const double       radius = blank.meridian_point({L, blank.addendum(L)})[0];
         const double       most   = (1. - least_part_of_top_land) * depth * width / (width - left);
         std::ostringstream message;
         message << "expected at most " << std::floor(100. * most) / 100.

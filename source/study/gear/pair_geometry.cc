@@ -107,6 +107,13 @@ namespace vfife
         settings_.push_back(std::string("shaft of the ") + (b == 0 ? "pinion" : "gear") +
                             ": sections " + (*bodies)[b].shaft.text +
                             " (from, to, outer, inner diameter, mm)");
+    for (unsigned int b = 0; b < 2; ++b)
+      {
+        const double chamfer = (b == 0 ? options.pinion : options.gear).blank.tip_chamfer;
+        if (chamfer > 0.)
+          settings_.push_back(
+            text_of("tip chamfer of the ", b == 0 ? "pinion: " : "gear: ", chamfer, " mm"));
+      }
     const GearPairOptions o = options.completed();
     members_ = {{{"pinion", name_of(o.pinion.blank.hand), list_member(o.pinion, o.gear)},
                  {"gear", name_of(o.gear.blank.hand), list_member(o.gear, o.gear)}}};

@@ -44,6 +44,9 @@ namespace vfife
     /** Adds what is missing in the blank and where it contradicts itself (@p section: path of its
      * entries). */
     void examine(const std::string &section, Findings &findings) const;
+    /** Throws InputError of the entry "tip chamfer" in @p section, that of the member, where the
+     * flanks would not rise above the pitch cone. */
+    void check_tip_chamfer(const std::string &section) const;
   };
 
   /** Pitch angle by the numbers of teeth: tan d = sin(shaft angle) / (other/own + cos(shaft angle))

@@ -15,7 +15,7 @@ namespace vfife
   {
     double          cutter_diameter = 0; ///< twice the mean of the point radii; 0: not given [mm]
     double          point_width     = 0; ///< outside less inside point radius; 0: not given [mm]
-    Blank           blank;
+    Blank           blank;               ///< with the tip chamfer, which no proposal sets
     MachineSettings both{no_settings()}; ///< holds for both flanks where it is not 0
     MachineSettings concave{Blade::outside};
     MachineSettings convex{Blade::inside};

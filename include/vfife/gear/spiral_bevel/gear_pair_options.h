@@ -39,8 +39,8 @@ namespace vfife
     /** What is missing, impossible or contradictory, after completing; all of it, causes first. */
     Findings examine(const std::string &section = "Gear pair") const;
 
-    /** Throws InputError for all findings that stop the program, and for errors of manufacture that
-     * cannot be read. */
+    /** Throws InputError for all findings that stop the program, for tip chamfers as high as the
+     * addendum, and for errors of manufacture that cannot be read. */
     void check(const std::string &section = "Gear pair") const;
   };
 } // namespace vfife

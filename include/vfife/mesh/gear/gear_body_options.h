@@ -40,7 +40,7 @@ namespace vfife
 
     unsigned int cells_lengthwise = 12; ///< along the face width
     unsigned int cells_across     = 5;  ///< across a tooth
-    unsigned int flank_rows       = 8;  ///< from flank start to tip
+    unsigned int flank_rows       = 8;  ///< from start to end of the flank
     unsigned int rim_rows =
       5; ///< from root to underside of the rim, or to the bore of a solid body
     unsigned int web_layers     = 3;  ///< through the thickness of the web
@@ -71,8 +71,8 @@ namespace vfife
     {
       return cells_across + 4;
     }
-    /** Hexahedra of a body with this many teeth, once the counts are known. */
-    double n_cells(unsigned int teeth) const;
+    /** Hexahedra of a body under these teeth, once the counts are known. */
+    double n_cells(const BlankOutline &blank) const;
     /** Whether the web's first row joins three columns into one (needs a multiple of three). */
     bool coarsens() const
     {

@@ -12,9 +12,9 @@
 namespace vfife
 {
   /**
-   * The true flanks of one side of all teeth, in coordinates (L, h) of the blank: a new point has
-   * the weighted mean of them and lies on the true flank. Toe, heel and tip (h linear in L) are
-   * kept.
+   * The true flanks of one side of all teeth with their tip chamfers, in coordinates (L, h) of the
+   * blank: a new point has the weighted mean of them and lies on the true flank or chamfer. Toe,
+   * heel, end of the flank and tip (h linear in L) are kept.
    */
   class FlankManifold : public dealii::Manifold<3>
   {

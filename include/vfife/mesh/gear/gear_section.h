@@ -22,7 +22,8 @@ namespace vfife
 
     /**
      * Profiles of the two flanks from the root up: fillet bottom, P in the fillet, flank start,
-     * then flank_rows points to the tip, steps of h equal or graded.
+     * then flank_rows points to the end of the flank, steps of h equal or graded; with a tip
+     * chamfer one more, where it meets the top land.
      */
     std::vector<Vector2> lower, upper;
   };
@@ -30,6 +31,10 @@ namespace vfife
   /** Where in the fillet the blocks of tooth, rim and root land meet (P): fraction of its blade
    * edge angle from the bottom, 42 of 70 deg. */
   constexpr double default_fillet_corner = .6;
+
+  /** The flank of tooth 0 at (L, h), or over its end the chamfer, straight in h and polar angle
+   * from there to the top land [mm]. */
+  Vector3 point_of_side(const GearGeometry &gear, FlankSide side, double L, double h);
 
   /** @p grading: last over first step of h. Throws InputError where the fillets of a slot overlap
    * or the flank starts over the tip. */
@@ -42,7 +47,7 @@ namespace vfife
   /**
    * The section with its outline moved into the metal by @p depth [mm], measured normal to the true
    * surfaces: fillets and flanks along their normals projected into the section, tip and root land
-   * along h.
+   * along h. A chamfer moves, without a change of its size, as the edge that it takes away.
    */
   GearSection move_inward(const GearGeometry &gear,
                           const GearSection  &section,

@@ -61,6 +61,7 @@ namespace vfife
   //    |    |              |    |              |    |
   //    0    1              rim row 0      last - 1  last: column 0 of the next sector
   //
+  // A chamfer of the tip is one more tooth row, between the end of the flanks and the tip.
   // Column 0 is the centre of the slot, 1 the bottom of the fillet; rim rows go down from there to
   // the underside or the bore. With a surface layer these are the blocks under the layer, whose
   // outline is that of inner_; the layer has one cell between each of its sides and the surface.
@@ -101,7 +102,7 @@ namespace vfife
 
   void GearSectorBuilder::add_tooth()
   {
-    const unsigned int rows = options_.flank_rows + 1, across = options_.cells_across;
+    const unsigned int rows = last_tooth_row(), across = options_.cells_across;
     for (const GearSection &section : inner_)
       {
         NodeLayer layer(rows + 1, std::vector<unsigned int>(across + 1));
@@ -302,7 +303,7 @@ namespace vfife
       nodes.upper.push_back(add(point));
     nodes.tip = {nodes.lower.back()};
     for (unsigned int c = 1; c < options_.cells_across; ++c)
-      nodes.tip.push_back(add(tooth_point(section, options_.flank_rows + 1, c)));
+      nodes.tip.push_back(add(tooth_point(section, last_tooth_row(), c)));
     nodes.tip.push_back(nodes.upper.back());
     return nodes;
   }
@@ -391,13 +392,16 @@ namespace vfife
           else
             grid.facets.push_back({{there, here, here + 1, there + 1}});
         }
-    // fillet: bottom, P and start of the flank of every section
-    const char *fillet =
-      side == FlankSide::concave ? node_set::concave_fillet : node_set::convex_fillet;
+    // fillet: bottom, P and start of the flank of every section; chamfer: end of the flank and tip
+    const bool  concave = side == FlankSide::concave;
+    const char *fillet  = concave ? node_set::concave_fillet : node_set::convex_fillet,
+               *chamfer = concave ? node_set::concave_chamfer : node_set::convex_chamfer;
     for (const SurfaceNodes &surface : surface_)
       {
         const auto &profile = upper ? surface.upper : surface.lower;
         cells_.add_to_set(fillet, {{profile[0], profile[1], profile[2]}});
+        if (gear_.blank().tip_chamfer > 0.)
+          cells_.add_to_set(chamfer, {{profile[rows + 2], profile[rows + 3]}});
       }
     cells_.add_flank(grid);
   }

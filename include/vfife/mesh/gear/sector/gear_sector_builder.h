@@ -53,6 +53,11 @@ namespace vfife
     void         add_flank_grid(FlankSide side);
     void         add_named_ends();
 
+    /** Row of the tip; the rows of the profiles of all sections are one more. */
+    unsigned int last_tooth_row() const
+    {
+      return sections_.front().lower.size() - 2;
+    }
     Vector2 tooth_point(const GearSection &section, unsigned int row, unsigned int column) const;
     Vector2 rim_top(const GearSection &section, unsigned int column) const;
     double  rim_depth(unsigned int i, unsigned int row) const;
