@@ -64,6 +64,20 @@ namespace vfife
     std::vector<InputError> errors_;
   };
 
+  /** What @p read returns; its InputError is one about the @p entry. */
+  template <typename Read>
+  auto for_entry(const std::string &entry, const Read &read)
+  {
+    try
+      {
+        return read();
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(entry, error.what());
+      }
+  }
+
   /**
    * A signal has asked the program to stop, and what is needed to go on is on disk: exit code 3.
    * The message says how.

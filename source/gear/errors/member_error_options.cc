@@ -24,20 +24,6 @@ namespace vfife
      * in their protocols [um]. */
     constexpr double closing_error = 0.1;
 
-    /** The reader's message under the name of the entry. */
-    template <typename Read>
-    auto read_entry(const std::string &entry, const Read &read)
-    {
-      try
-        {
-          return read();
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(entry, error.what());
-        }
-    }
-
     void refuse_number(const std::size_t numbers, const unsigned int teeth)
     {
       std::ostringstream message;
@@ -201,14 +187,14 @@ namespace vfife
         "expected a pitch table or single pitch deviations, got both. Remove one of them");
     std::vector<double> deviations; // [um]
     if (!pitch_list.empty())
-      deviations = read_entry(list_entry, [&]() {
+      deviations = for_entry(list_entry, [&]() {
         const std::vector<double> single = parse_list(pitch_list);
         if (single.size() != teeth)
           refuse_number(single.size(), teeth);
         return accumulate(single);
       });
     if (!pitch_table.empty())
-      deviations = read_entry(table_entry, [&]() { return read_pitch_table(pitch_table, teeth); });
+      deviations = for_entry(table_entry, [&]() { return read_pitch_table(pitch_table, teeth); });
     for (double &deviation : deviations)
       deviation *= micrometre;
     if (pitch_amplitude != 0.)
@@ -233,7 +219,7 @@ namespace vfife
     if (topography.empty())
       return {};
     // protocols have the tip above
-    return read_entry(section + "/topography", [&]() -> Eigen::MatrixXd {
+    return for_entry(section + "/topography", [&]() -> Eigen::MatrixXd {
       return micrometre * read_deviation_grid(topography).colwise().reverse();
     });
   }
@@ -243,8 +229,8 @@ namespace vfife
   {
     std::vector<bool> chosen(teeth, topography_teeth.empty());
     for (const std::string &name : topography_teeth)
-      read_entry(section + "/topography teeth",
-                 [&]() { chosen[read_tooth_number(name, teeth)] = true; });
+      for_entry(section + "/topography teeth",
+                [&]() { chosen[read_tooth_number(name, teeth)] = true; });
     if (topography.empty() && !topography_teeth.empty())
       throw InputError(section + "/topography teeth",
                        "expected a topography for these teeth, got none");

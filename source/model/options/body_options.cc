@@ -107,14 +107,7 @@ namespace vfife
 
   void BodyOptions::declare_shape(dealii::ParameterHandler &prm, const std::string &section)
   {
-    try
-      {
-        primitive = std::make_unique<PrimitiveOptions>(mesh);
-      }
-    catch (const InputError &error)
-      {
-        throw InputError(section + "/mesh", error.what());
-      }
+    for_entry(section + "/mesh", [&] { primitive = std::make_unique<PrimitiveOptions>(mesh); });
     primitive->declare(prm);
   }
 
@@ -238,15 +231,11 @@ namespace vfife
     std::vector<Expression> formulas;
     bool                    moves = false;
     for (unsigned int c = 0; c < 3; ++c)
-      try
-        {
-          formulas.emplace_back(initial_velocity[c], section + "/initial velocity " + "xyz"[c]);
-          moves = moves || initial_velocity[c] != "0";
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(section + "/initial velocity " + "xyz"[c], error.what());
-        }
+      {
+        const std::string entry = section + "/initial velocity " + "xyz"[c];
+        for_entry(entry, [&] { formulas.emplace_back(initial_velocity[c], entry); });
+        moves = moves || initial_velocity[c] != "0";
+      }
     if (moves)
       for (const Vector3 &X : body.node_positions())
         body.initial_velocity.emplace_back(formulas[0](X, 0.),

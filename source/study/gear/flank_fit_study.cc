@@ -201,14 +201,9 @@ namespace vfife
 
   std::vector<Vector3> FlankFitStudy::read_points(const GearPair &pair) const
   {
-    try
-      {
-        return read_measured_points(options_.measured, member(pair), options_.side, options_.grid);
-      }
-    catch (const InputError &error)
-      {
-        throw InputError("Flank fit/measured flank", error.what());
-      }
+    return for_entry("Flank fit/measured flank", [&] {
+      return read_measured_points(options_.measured, member(pair), options_.side, options_.grid);
+    });
   }
 
   SettingsFit FlankFitStudy::make_fit(const GearPair &pair) const

@@ -55,14 +55,8 @@ namespace vfife
 
   void SweepParameter::check_commas(const char *list, const std::string &text) const
   {
-    try
-      {
-        check_list_commas(text, ListNumbers::any);
-      }
-    catch (const InputError &error)
-      {
-        throw InputError("Sweep/Parameter " + name + "/" + list, error.what());
-      }
+    for_entry("Sweep/Parameter " + name + "/" + list,
+              [&] { check_list_commas(text, ListNumbers::any); });
   }
 
   std::vector<std::string> SweepParameter::list_values() const

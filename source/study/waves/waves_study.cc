@@ -210,14 +210,7 @@ namespace vfife
     void WavesStudy::require_waves(const ReducedBody &body) const
     {
       for (const unsigned int n : options_.diameter_numbers())
-        try
-          {
-            find_harmonic(body, n);
-          }
-        catch (const InputError &error)
-          {
-            throw InputError("Waves/nodal diameters", error.what());
-          }
+        for_entry("Waves/nodal diameters", [&] { find_harmonic(body, n); });
     }
 
     ReducedPairOptions WavesStudy::pair_options() const
