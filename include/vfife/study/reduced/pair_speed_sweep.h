@@ -23,9 +23,11 @@ namespace dealii
 namespace vfife
 {
   class Log;
+  class OutputFolder;
   class ReducedPair;
   class StressWavePlaces;
   struct Model;
+  struct RunSummary;
   struct SpeedSample;
   struct State;
 
@@ -157,6 +159,13 @@ namespace vfife
     SlowMesh                slow_mesh_;
     Table                   resonance_, waves_, stresses_;
   };
+
+  /**
+   * Does the sweep and writes its tables after each speed, exceedances.csv and @p summary at the
+   * end, which has what was known before. Throws NumericalError after that, and Interrupted where a
+   * signal has come. Collective.
+   */
+  void run_speed_sweep(PairSpeedSweep &sweep, RunSummary &summary, OutputFolder &folder, Log &log);
 } // namespace vfife
 
 #endif
