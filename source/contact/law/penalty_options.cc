@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/contact/law/linear_law.h>
 #include <vfife/contact/law/penalty_options.h>
 
 #include <algorithm>
@@ -12,6 +13,12 @@ namespace vfife
     /** Of (m/A)/dt^2: impacts of two bars on springs of 2 and of 40 (tests/dynamics/impact). */
     constexpr double rattling_fraction = 5.;
   } // namespace
+
+  const Choices<MakeContactLaw> &contact_laws()
+  {
+    static const Choices<MakeContactLaw> choices = {{"linear", &make_contact_law<LinearLaw>}};
+    return choices;
+  }
 
 
   PenaltyOptions::PenaltyOptions(const unsigned int n_moving)

@@ -3,12 +3,15 @@
 #define vfife_contact_law_penalty_options_h
 
 #include <vfife/base/parameters/parameters.h>
-#include <vfife/contact/law/contact_laws.h>
+#include <vfife/contact/law/contact_law.h>
 
 #include <string>
 
 namespace vfife
 {
+  /** All laws that a user may choose, the default first: a new one is a row here. */
+  const Choices<MakeContactLaw> &contact_laws();
+
   /**
    * The penalty eps [N/mm^3] of a contact between two bodies, or between a body and a rigid wall,
    * and the law that it scales: entries, and what it does to the largest stable step.
