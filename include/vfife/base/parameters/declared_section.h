@@ -2,15 +2,12 @@
 #ifndef vfife_base_parameters_declared_section_h
 #define vfife_base_parameters_declared_section_h
 
+#include <vfife/base/parameter_handler.h>
+
 #include <functional>
 #include <string>
 #include <utility>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

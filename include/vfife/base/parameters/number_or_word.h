@@ -2,12 +2,9 @@
 #ifndef vfife_base_parameters_number_or_word_h
 #define vfife_base_parameters_number_or_word_h
 
-#include <string>
+#include <vfife/base/parameter_handler.h>
 
-namespace dealii
-{
-  class ParameterHandler;
-}
+#include <string>
 
 namespace vfife
 {

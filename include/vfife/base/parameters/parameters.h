@@ -2,6 +2,7 @@
 #ifndef vfife_base_parameters_parameters_h
 #define vfife_base_parameters_parameters_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/base/types.h>
 
 #include <functional>
@@ -9,11 +10,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

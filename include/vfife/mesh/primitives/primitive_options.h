@@ -2,17 +2,13 @@
 #ifndef vfife_mesh_primitives_primitive_options_h
 #define vfife_mesh_primitives_primitive_options_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/mesh/body_mesh.h>
 
 #include <array>
 #include <memory>
 #include <string>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

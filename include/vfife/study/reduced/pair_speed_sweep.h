@@ -2,6 +2,7 @@
 #ifndef vfife_study_reduced_pair_speed_sweep_h
 #define vfife_study_reduced_pair_speed_sweep_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/base/text/table.h>
 #include <vfife/lumped/speed_sweep.h>
 #include <vfife/reduced/reduced_options.h>
@@ -14,11 +15,6 @@
 #include <optional>
 #include <string>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {
