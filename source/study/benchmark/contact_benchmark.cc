@@ -138,11 +138,7 @@ namespace vfife
 
   Table make_contact_cost_table()
   {
-    Table table;
-    table.add_text_column("part");
-    table.add_column("time", "us");
-    table.add_column("share", "%");
-    return table;
+    return {{"part"}, {"time", "us"}, {"share", "%"}};
   }
 
   Table measure_contact_cost(const Model                   &model,

@@ -55,9 +55,7 @@ namespace vfife
 
   Table comparison_table(const ComparisonRows &rows)
   {
-    Table table;
-    table.add_text_column("quantity");
-    table.add_text_column("unit");
+    Table table{{"quantity"}, {"unit"}};
     // Rows differ in their unit: it is a cell of its own, and the columns' unit says so.
     table.add_column("value", "unit");
     table.add_column("reference", "unit");

@@ -565,9 +565,7 @@ namespace vfife
 
   Table make_reaction_table()
   {
-    Table table;
-    table.add_text_column("constraint");
-    table.add_text_column("body");
+    Table table{{"constraint"}, {"body"}};
     for (const char *component : {"force x", "force y", "force z"})
       table.add_column(component, "N");
     // Forces are along the fixed axes, from the constraint on the body.

@@ -182,19 +182,15 @@ namespace vfife
 
   Table make_swept_teeth_table()
   {
-    Table table;
-    table.add_column(column::position, "mesh cycles");
-    table.add_text_column(column::side);
-    table.add_column(column::tooth_of("pinion"), "-");
-    table.add_column(column::force, "N");
-    return table;
+    return {{column::position, "mesh cycles"},
+            {column::side},
+            {column::tooth_of("pinion"), "-"},
+            {column::force, "N"}};
   }
 
   Table make_wave_response_table()
   {
-    Table table;
-    table.add_text_column(column::direction);
-    table.add_column(column::speed, "rpm");
+    Table table{{column::direction}, {column::speed, "rpm"}};
     for (unsigned int n = 1; n <= SpeedResponse::largest_wave; ++n)
       {
         table.add_column("stationary wave " + std::to_string(n), "um");
@@ -205,14 +201,12 @@ namespace vfife
 
   Table make_stress_response_table()
   {
-    Table table;
-    table.add_text_column(column::direction);
-    table.add_column(column::speed, "rpm");
-    table.add_text_column(column::place);
-    table.add_column("stress without vibration", "MPa");
-    table.add_column("largest stress", "MPa");
-    table.add_column(column::amplification, "-");
-    return table;
+    return {{column::direction},
+            {column::speed, "rpm"},
+            {column::place},
+            {"stress without vibration", "MPa"},
+            {"largest stress", "MPa"},
+            {column::amplification, "-"}};
   }
 
   PairSpeedSweep::PairSpeedSweep(const Model            &model,
