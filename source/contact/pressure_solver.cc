@@ -26,14 +26,12 @@ namespace vfife
   {
   }
 
-
   void PressureSolver::reset(const double dt, const std::vector<Node> &nodes)
   {
     dt_    = dt;
     nodes_ = nodes;
     rows_.clear();
   }
-
 
   void PressureSolver::add(const TouchingPoint               &point,
                            const std::array<unsigned int, 4> &slave_nodes,
@@ -64,7 +62,6 @@ namespace vfife
     rows_.push_back(row);
   }
 
-
   double PressureSolver::end_penetration(const Row &row) const
   {
     double rate = 0.;
@@ -73,14 +70,12 @@ namespace vfife
     return -(row.gap + 0.5 * dt_ * rate);
   }
 
-
   void PressureSolver::push(const Row &row, const double pressure)
   {
     // From here on the nodes' velocities are those with the pressures so far.
     for (unsigned int k = 0; k < 8; ++k)
       nodes_[row.nodes[k]].free_velocity += (dt_ * row.area * pressure) * row.responses[k];
   }
-
 
   void PressureSolver::evaluate_law()
   {
@@ -133,7 +128,6 @@ namespace vfife
           }
       }
   }
-
 
   void PressureSolver::solve(std::vector<TouchingPoint> &points)
   {

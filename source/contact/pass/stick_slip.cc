@@ -14,7 +14,6 @@ namespace vfife
     return other;
   }
 
-
   void StickSlip::begin(const SurfaceInteraction &interaction,
                         const double              step,
                         std::vector<PointList>   &lists)
@@ -25,7 +24,6 @@ namespace vfife
       list.anchors.resize(acts_ ? list.points.size() : 0);
   }
 
-
   void StickSlip::use_restored(std::vector<PointList> &lists)
   {
     if (!acts_ || restored_.empty())
@@ -34,7 +32,6 @@ namespace vfife
       place_anchors(restored_, list);
     restored_.clear();
   }
-
 
   void StickSlip::open_anchor(PointList &list, const unsigned int point, const bool located)
   {
@@ -70,7 +67,6 @@ namespace vfife
       }
   }
 
-
   Vector3
   StickSlip::slip_way(const ListedPoint &point, const TangentBasis &basis, const double time) const
   {
@@ -97,7 +93,6 @@ namespace vfife
       }
     return way;
   }
-
 
   FrictionForce StickSlip::stick(PointList                &list,
                                  const Touch              &touch,
@@ -152,7 +147,6 @@ namespace vfife
     return friction;
   }
 
-
   void StickSlip::append_anchors(const unsigned int          pass,
                                  const PointList            &list,
                                  std::vector<AnchorOfPoint> &anchors)
@@ -167,7 +161,6 @@ namespace vfife
                            list.anchors[i]});
   }
 
-
   void StickSlip::renew_anchors(const std::vector<AnchorOfPoint> &anchors, PointList &list) const
   {
     if (!acts_)
@@ -175,7 +168,6 @@ namespace vfife
     list.anchors.assign(list.points.size(), ContactAnchor());
     place_anchors(anchors, list);
   }
-
 
   void StickSlip::place_anchors(const std::vector<AnchorOfPoint> &anchors, PointList &list) const
   {

@@ -53,7 +53,6 @@ namespace vfife
     }
   } // namespace
 
-
   EdgeRelief::EdgeRelief(const FacetSurface &surface, const ContactOptions &options)
   {
     if (!(options.edge_relief_depth > 0.))

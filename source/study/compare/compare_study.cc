@@ -55,7 +55,6 @@ namespace vfife
       {
       }
 
-
       void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override
       {
         // First pass: each name has a section, which the strict pass has to know.

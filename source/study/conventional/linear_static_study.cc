@@ -253,7 +253,6 @@ namespace vfife
         fem_.linear_solver = LinearSolverKind::direct;
       }
 
-
       void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override
       {
         case_ = make_case(file);

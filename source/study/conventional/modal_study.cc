@@ -121,7 +121,6 @@ namespace vfife
     }
   } // namespace
 
-
   void ModalStudy::run(OutputFolder &folder, Log &log)
   {
     log.set_verbosity(output_.verbosity);

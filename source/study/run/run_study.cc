@@ -157,7 +157,6 @@ namespace vfife
     };
   } // namespace
 
-
   Model RunStudy::make_model(Log &log) const
   {
     Model model = case_->make_model(log);
