@@ -5,7 +5,6 @@
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameter_table.h>
 #include <vfife/base/parameters/parameters.h>
-#include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/text/quantity.h>
 #include <vfife/lumped/lumped_options.h>
 

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <vfife/base/complex.h>
 #include <vfife/base/errors.h>
+#include <vfife/base/types.h>
 #include <vfife/fem/cyclic/cyclic_body.h>
 #include <vfife/fem/cyclic/cyclic_harmonic.h>
 #include <vfife/fem/solvers/direct_solver.h>

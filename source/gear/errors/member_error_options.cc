@@ -5,9 +5,7 @@
 #include <vfife/base/parameters/parameter_grid.h>
 #include <vfife/base/parameters/parameter_table.h>
 #include <vfife/base/parameters/parameters.h>
-#include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/text/number_text.h>
-#include <vfife/base/text/tooth_number.h>
 #include <vfife/gear/errors/member_error_options.h>
 
 #include <algorithm>

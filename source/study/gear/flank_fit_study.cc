@@ -5,7 +5,6 @@
 #include <vfife/base/parameters/number_list.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
-#include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/quantity.h>
 #include <vfife/gear/driving.h>

@@ -3,7 +3,7 @@
 #define vfife_study_conventional_loaded_contact_options_h
 
 #include <vfife/base/parameter_handler.h>
-#include <vfife/base/parameters/number_or_word.h>
+#include <vfife/base/parameters/parameters.h>
 
 namespace vfife
 {
