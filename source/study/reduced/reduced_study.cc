@@ -39,11 +39,11 @@
 #include <vfife/study/reduced/pair_reduction.h>
 #include <vfife/study/reduced/pair_speed_sweep.h>
 #include <vfife/study/reduced/reduced_run.h>
-#include <vfife/study/reduced/reduced_study.h>
 #include <vfife/study/run/pair_recording.h>
 #include <vfife/study/run/pair_start.h>
 #include <vfife/study/start_summary.h>
 #include <vfife/study/stress_waves/stress_wave_places.h>
+#include <vfife/study/study_kinds.h>
 
 #include <algorithm>
 #include <cmath>

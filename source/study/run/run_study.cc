@@ -27,10 +27,10 @@
 #include <vfife/study/run/pair_recording.h>
 #include <vfife/study/run/pair_start.h>
 #include <vfife/study/run/run_start.h>
-#include <vfife/study/run/run_study.h>
 #include <vfife/study/run/start_kinds.h>
 #include <vfife/study/run/stepped_solver.h>
 #include <vfife/study/start_summary.h>
+#include <vfife/study/study_kinds.h>
 
 #include <cmath>
 #include <optional>

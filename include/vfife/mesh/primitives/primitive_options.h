@@ -28,8 +28,6 @@ namespace vfife
     /** Names of all shapes, in the order of the table. */
     static std::vector<std::string> shapes();
 
-    const char *shape() const;
-
     /** Declares the shape's sizes [mm] and numbers of cells in the current section. Bound by
      * address: the object must stay where it is until the file has been read. */
     void declare(dealii::ParameterHandler &prm);
