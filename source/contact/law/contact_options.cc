@@ -2,7 +2,6 @@
 #include <vfife/base/errors.h>
 #include <vfife/contact/law/contact_options.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace vfife

@@ -2,7 +2,6 @@
 #include <vfife/contact/pass/stick_slip.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <unordered_map>
 
 namespace vfife

@@ -2,7 +2,6 @@
 
 #include <vfife/base/errors.h>
 #include <vfife/base/types.h>
-#include <vfife/fem/cyclic/cyclic_body.h>
 #include <vfife/fem/cyclic/cyclic_harmonic.h>
 #include <vfife/fem/solvers/direct_solver.h>
 #include <vfife/fem/solvers/sparse_matrix.h>

@@ -6,7 +6,6 @@
 #include <vfife/contact/surface/facet_quadrature.h>
 #include <vfife/fem/statics/facet_parts.h>
 #include <vfife/fem/submodel/sector_submodel.h>
-#include <vfife/fem/system/fem_space.h>
 #include <vfife/fem/system/load_forces.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/mesh/node_set_names.h>
@@ -15,10 +14,8 @@
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <sstream>
-#include <vector>
 
 namespace vfife
 {

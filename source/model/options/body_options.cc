@@ -4,13 +4,8 @@
 #include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/text/nearest_name.h>
-#include <vfife/base/text/number_text.h>
 #include <vfife/mesh/files/mesh_import.h>
 #include <vfife/model/options/body_options.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
 
 namespace vfife
 {

@@ -6,8 +6,6 @@
 #include <vfife/output/measures/root_stress.h>
 
 #include <algorithm>
-#include <cmath>
-#include <set>
 
 namespace vfife
 {

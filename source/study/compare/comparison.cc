@@ -1,6 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/parameters/parameters.h>
-#include <vfife/base/types.h>
 #include <vfife/study/compare/comparison.h>
 
 #include <nlohmann/json.hpp>

@@ -1,6 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/text/column_names.h>
-#include <vfife/gear/blank_outline.h>
 #include <vfife/model/model.h>
 #include <vfife/output/files/result_places.h>
 #include <vfife/study/pressure/pressure_tables.h>

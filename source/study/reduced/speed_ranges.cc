@@ -3,7 +3,6 @@
 #include <vfife/study/reduced/speed_ranges.h>
 
 #include <string>
-#include <vector>
 
 namespace vfife
 {

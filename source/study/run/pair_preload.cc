@@ -3,7 +3,6 @@
 #include <vfife/base/process/wall_clock.h>
 #include <vfife/base/text/byte_stream.h>
 #include <vfife/base/text/figure_text.h>
-#include <vfife/dynamics/equilibrium/relaxation.h>
 #include <vfife/dynamics/equilibrium/standing_pattern.h>
 #include <vfife/dynamics/loop/explicit_solver.h>
 #include <vfife/model/pair_measures.h>
@@ -14,7 +13,6 @@
 #include <vfife/study/run/pair_preload.h>
 #include <vfife/study/run/pair_start.h>
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <sstream>

@@ -10,7 +10,6 @@
 #include <vfife/study/sweep/sweep_runs.h>
 
 #include <algorithm>
-#include <functional>
 #include <iomanip>
 #include <sstream>
 

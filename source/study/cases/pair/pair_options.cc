@@ -13,8 +13,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace vfife
 {
