@@ -4,7 +4,7 @@
 #include <vfife/base/process/machine_speed.h>
 #include <vfife/base/process/timers.h>
 #include <vfife/base/sample_measures.h>
-#include <vfife/contact/contact_times.h>
+#include <vfife/contact/pass/contact_pass.h>
 #include <vfife/dynamics/loop/explicit_solver.h>
 #include <vfife/study/benchmark/contact_benchmark.h>
 

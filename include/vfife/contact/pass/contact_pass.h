@@ -4,12 +4,10 @@
 
 #include <vfife/base/types.h>
 #include <vfife/contact/contact_results.h>
-#include <vfife/contact/contact_times.h>
 #include <vfife/contact/law/surface_interaction.h>
 #include <vfife/contact/pass/pass_surfaces.h>
 #include <vfife/contact/pass/point_lists.h>
 #include <vfife/contact/pass/stick_slip.h>
-#include <vfife/contact/pass/touch.h>
 #include <vfife/contact/touching_point.h>
 
 #include <array>
@@ -37,6 +35,16 @@ namespace vfife
     std::array<double, 4>       slave_weights, master_weights;
     Vector3                     direction;     ///< on the slave, fixed frame [-]
     double                      stiffness = 0; ///< tangent of the law times area [N/mm]
+  };
+
+  /** Processor time of the parts of a contact's evaluations, added up [s]. */
+  struct ContactTimes
+  {
+    double broad_search = 0.; ///< which groups (teeth) may touch
+    double motion       = 0.; ///< how far the groups have moved since their lists were made
+    double wide_search  = 0.; ///< which points may touch
+    double projection   = 0.; ///< where the points lie, and their gaps
+    double forces       = 0.; ///< of the points that touch
   };
 
   /** One direction of a contact: the quadrature points of the slave against the facets of the
