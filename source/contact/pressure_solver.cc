@@ -112,7 +112,6 @@ namespace vfife
         const PressedPoint &at_a = pressed_[3 * i], &middle = pressed_[3 * i + 1],
                            &at_b = pressed_[3 * i + 2];
         const double way         = row.after - row.before;
-        row.energy_before        = at_a.energy;
         if (row.before <= 0. && row.after <= 0.)
           row.elastic = row.slope = 0.;
         else if (std::min(row.before, row.after) > 0. &&

@@ -370,7 +370,7 @@ namespace vfife
       const double dt = motion.options.step;
       RunTimes times  = plan_times(*pair_case_, dynamics_, output_, model.only_transmission(), dt);
       times.end       = std::llround(times.end / dt) * dt; // of its last step
-      ReducedRun run(folder, log, model, pair, dt, output_, times);
+      ReducedRun run({folder, log, model, output_, times}, pair, dt);
       if (dynamics_.start == Start::steady_swing && !PairMounting::changes(model))
         run.start_swinging(dynamics_.mesh_damping);
       RunSummary &summary  = run.summary();

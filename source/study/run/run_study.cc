@@ -259,7 +259,7 @@ namespace vfife
     const auto          start = make_start(
       model, dynamics_, stepped.solver, std::move(settled.compliance), communicator, log);
     // Checkpoints hold the observers in this order.
-    ExplicitStepping stepping(folder, log, model, stepped.solver, *start, output_, times);
+    ExplicitStepping stepping({folder, log, model, output_, times}, stepped.solver, *start);
     RunSummary      &summary = stepping.summary();
     summary                  = start_summary("run", model, stepped.solver, stepped.dt, folder);
     const auto   impulse     = [&] { return stepped.solver.contact_impulse(); };

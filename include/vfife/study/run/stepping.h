@@ -50,6 +50,16 @@ namespace vfife
     Observers           list_;
   };
 
+  /** What a run works with. Everything but the times must outlive it. */
+  struct RunMeans
+  {
+    OutputFolder        &folder;
+    Log                 &log;
+    Model               &model;
+    const OutputOptions &output;
+    RunTimes             times;
+  };
+
   /**
    * The time steps of a run from its start, or from a checkpoint, to its end, whatever solver takes
    * them: observers, checkpoints, signals, failure, summary.json. A run that goes on from a
@@ -58,12 +68,7 @@ namespace vfife
   class Stepping
   {
   public:
-    /** Everything given but the times must outlive the object. */
-    Stepping(OutputFolder        &folder,
-             Log                 &log,
-             Model               &model,
-             const OutputOptions &output,
-             const RunTimes      &times);
+    explicit Stepping(const RunMeans &means);
     virtual ~Stepping();
 
     OutputFolder &folder() const
