@@ -257,7 +257,7 @@ namespace vfife
     const Transmission *transmission = model.only_transmission();
     const RunTimes      times = plan_times(*case_, dynamics_, output_, transmission, stepped.dt);
     const auto          start = make_start(
-      model, dynamics_, stepped.solver, std::move(settled.compliance), communicator, log);
+      {model, dynamics_, stepped.solver, std::move(settled.compliance), communicator, log});
     // Checkpoints hold the observers in this order.
     ExplicitStepping stepping({folder, log, model, output_, times}, stepped.solver, *start);
     RunSummary      &summary = stepping.summary();
