@@ -42,8 +42,8 @@ namespace vfife
 
     /** Path ("A/B/name") and @p text, as &Entry::value, of all entries at or below this section;
      * @p path leads here. */
-    std::vector<std::pair<std::string, std::string>>
-    list_texts(std::string Entry::*text, const std::string &path = "") const;
+    std::vector<std::pair<std::string, std::string>> list_texts(std::string Entry::*text,
+                                                                const std::string &path = "") const;
 
     /** "A/B/name = value unit" of all entries at or below this section that have another text than
      * in @p other, where the same is declared. */
