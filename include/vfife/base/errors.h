@@ -78,6 +78,20 @@ namespace vfife
       }
   }
 
+  /** What @p read returns; the message of its InputError is put behind the @p place. */
+  template <typename Read>
+  auto for_place(const std::string &place, const Read &read)
+  {
+    try
+      {
+        return read();
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(place + ": " + error.what());
+      }
+  }
+
   /**
    * A signal has asked the program to stop, and what is needed to go on is on disk: exit code 3.
    * The message says how.

@@ -37,14 +37,8 @@ namespace vfife
       for (std::string word; std::getline(stream, word, ',');)
         {
           std::string rest;
-          try
-            {
-              numbers.push_back(read_number(word, rest));
-            }
-          catch (const InputError &error)
-            {
-              throw InputError("of tooth " + std::to_string(numbers.size()) + ": " + error.what());
-            }
+          for_place("of tooth " + std::to_string(numbers.size()),
+                    [&] { numbers.push_back(read_number(word, rest)); });
           if (!rest.empty())
             throw InputError("of tooth " + std::to_string(numbers.size() - 1) +
                              ": expected a number, got \"" + trimmed(word) + "\"");
