@@ -74,4 +74,18 @@ namespace vfife
         surface.neighbours[two.facet][two.side] = one.facet;
       }
   }
+
+  unsigned int group_of(const FacetSurface &surface, const std::size_t facet)
+  {
+    return surface.group.empty() ? 0 : surface.group[facet];
+  }
+
+  unsigned int
+  edge_number(const FacetSurface &surface, const std::size_t facet, const unsigned int side)
+  {
+    if (!surface.edges.empty())
+      return surface.edges[facet][side];
+    const unsigned int other = surface.neighbours[facet][side];
+    return other == FacetSurface::no_facet || group_of(surface, other) != group_of(surface, facet);
+  }
 } // namespace vfife

@@ -64,7 +64,6 @@ namespace vfife
     }
   } // namespace
 
-
   Contact::Contact(const FacetSurface   &slave,
                    const FacetSurface   &master,
                    const ContactOptions &options)
@@ -74,13 +73,11 @@ namespace vfife
   {
   }
 
-
   void
   Contact::find_candidates(const RigidMotion &slave, const RigidMotion &master, const double margin)
   {
     find_candidates(slave, master, slave, master, margin);
   }
-
 
   void Contact::find_candidates(const RigidMotion &slave,
                                 const RigidMotion &master,
@@ -107,7 +104,6 @@ namespace vfife
     find_active_nodes();
   }
 
-
   void Contact::find_active_nodes()
   {
     // All nodes of all groups in a pair, each once: a group may be in several pairs.
@@ -124,7 +120,6 @@ namespace vfife
     keep_each_once(active_master_nodes_);
   }
 
-
   double Contact::vary_penalty()
   {
     double least = std::numeric_limits<double>::infinity();
@@ -136,7 +131,6 @@ namespace vfife
     return least;
   }
 
-
   void Contact::set_stiffness(const std::vector<double> &of_group_points)
   {
     if (passes_.size() != 1)
@@ -144,7 +138,6 @@ namespace vfife
                        "expected one pass with a stiffness per contact point, got two passes");
     passes_.front().slave_points().set_stiffness(of_group_points);
   }
-
 
   void Contact::add_forces(const SurfaceMotion &slave,
                            const SurfaceMotion &master,
@@ -158,7 +151,6 @@ namespace vfife
     find_explicit_pressures(dt, points);
     press(points, dt, slave_forces, master_forces);
   }
-
 
   void Contact::find_explicit_pressures(const double dt, std::vector<TouchingPoint> &points) const
   {
@@ -180,7 +172,6 @@ namespace vfife
       }
   }
 
-
   std::vector<TouchingPoint> Contact::locate(const SurfaceMotion &slave,
                                              const SurfaceMotion &master,
                                              const double         dt,
@@ -200,7 +191,6 @@ namespace vfife
       }
     return points;
   }
-
 
   void Contact::press(const std::vector<TouchingPoint> &points,
                       const double                      dt,
@@ -225,7 +215,6 @@ namespace vfife
         add_swapped(passes_[1].results()[i], results_[i]);
   }
 
-
   ContactPoint Contact::smallest_gap(const SurfaceMotion &slave,
                                      const SurfaceMotion &master,
                                      const double         reach,
@@ -242,7 +231,6 @@ namespace vfife
     return smallest;
   }
 
-
   std::pair<std::vector<unsigned int>, std::vector<unsigned int>> Contact::find_near_nodes(
     const SurfaceMotion &slave, const SurfaceMotion &master, const double reach)
   {
@@ -255,14 +243,12 @@ namespace vfife
     return nodes;
   }
 
-
   void Contact::place(const RigidMotion &slave, const RigidMotion &master)
   {
     passes_[0].place(slave_to_master(slave, master));
     if (passes_.size() == 2)
       passes_[1].place(slave_to_master(master, slave));
   }
-
 
   std::vector<ContactPoint> Contact::points() const
   {
@@ -272,7 +258,6 @@ namespace vfife
     return points;
   }
 
-
   std::vector<ContactSpring> Contact::springs()
   {
     std::vector<ContactSpring> springs;
@@ -280,7 +265,6 @@ namespace vfife
       passes_[i].append_springs(interaction_.law(), penalty(), i == 1, springs);
     return springs;
   }
-
 
   double Contact::search_skin() const
   {
@@ -290,12 +274,10 @@ namespace vfife
     return skin;
   }
 
-
   double Contact::depth_limit() const
   {
     return passes_[0].lists().depth_limit();
   }
-
 
   std::size_t Contact::n_listed_points() const
   {
@@ -305,7 +287,6 @@ namespace vfife
     return n;
   }
 
-
   std::size_t Contact::n_wide_searches() const
   {
     std::size_t n = 0;
@@ -313,7 +294,6 @@ namespace vfife
       n += pass.lists().n_wide_searches();
     return n;
   }
-
 
   void Contact::set_shares(const std::vector<PointShare> &shares)
   {
@@ -323,7 +303,6 @@ namespace vfife
     results_ = passes_[0].results();
   }
 
-
   std::vector<double> Contact::take_work()
   {
     std::vector<double> of_pairs(candidate_pairs_.size(), 0.);
@@ -331,7 +310,6 @@ namespace vfife
       pass.take_work(of_pairs);
     return of_pairs;
   }
-
 
   void Contact::serialize(ByteStream &stream)
   {
@@ -346,13 +324,11 @@ namespace vfife
       find_active_nodes();
   }
 
-
   void Contact::set_friction_mode(const FrictionMode mode)
   {
     for (ContactPass &pass : passes_)
       pass.set_friction_mode(mode);
   }
-
 
   std::vector<AnchorOfPoint> Contact::anchors() const
   {
@@ -362,14 +338,12 @@ namespace vfife
     return anchors;
   }
 
-
   bool Contact::has_restored_anchors() const
   {
     return std::any_of(passes_.begin(), passes_.end(), [](const ContactPass &pass) {
       return pass.has_restored_anchors();
     });
   }
-
 
   bool Contact::has_place(const AnchorOfPoint &of_point) const
   {
@@ -378,7 +352,6 @@ namespace vfife
            anchor.facet < passes_[of_point.pass].master().n_facets() &&
            std::isfinite(anchor.xi + anchor.eta + anchor.elastic + anchor.energy);
   }
-
 
   void Contact::restore_anchors(const std::vector<AnchorOfPoint> &anchors)
   {

@@ -29,7 +29,6 @@ namespace vfife
     }
   } // namespace
 
-
   NodeSprings::OfSurfaces NodeSprings::carried_areas() const
   {
     OfSurfaces areas = {
@@ -41,7 +40,6 @@ namespace vfife
       }
     return areas;
   }
-
 
   NodeSprings::OfSurfaces NodeSprings::stiffness() const
   {
@@ -58,14 +56,12 @@ namespace vfife
     return stiffness;
   }
 
-
   double NodeSprings::mass_per_area(const std::vector<double> &slave_masses,
                                     const std::vector<double> &master_masses) const
   {
     return std::min(least_ratio(slave_masses, slave_areas()),
                     least_ratio(master_masses, master_areas()));
   }
-
 
   double NodeSprings::carried_mass_per_area(const std::vector<double> &slave_masses,
                                             const std::vector<double> &master_masses) const

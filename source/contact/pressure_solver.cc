@@ -26,14 +26,12 @@ namespace vfife
   {
   }
 
-
   void PressureSolver::reset(const double dt, const std::vector<Node> &nodes)
   {
     dt_    = dt;
     nodes_ = nodes;
     rows_.clear();
   }
-
 
   void PressureSolver::add(const TouchingPoint               &point,
                            const std::array<unsigned int, 4> &slave_nodes,
@@ -64,7 +62,6 @@ namespace vfife
     rows_.push_back(row);
   }
 
-
   double PressureSolver::end_penetration(const Row &row) const
   {
     double rate = 0.;
@@ -73,14 +70,12 @@ namespace vfife
     return -(row.gap + 0.5 * dt_ * rate);
   }
 
-
   void PressureSolver::push(const Row &row, const double pressure)
   {
     // From here on the nodes' velocities are those with the pressures so far.
     for (unsigned int k = 0; k < 8; ++k)
       nodes_[row.nodes[k]].free_velocity += (dt_ * row.area * pressure) * row.responses[k];
   }
-
 
   void PressureSolver::evaluate_law()
   {
@@ -117,7 +112,6 @@ namespace vfife
         const PressedPoint &at_a = pressed_[3 * i], &middle = pressed_[3 * i + 1],
                            &at_b = pressed_[3 * i + 2];
         const double way         = row.after - row.before;
-        row.energy_before        = at_a.energy;
         if (row.before <= 0. && row.after <= 0.)
           row.elastic = row.slope = 0.;
         else if (std::min(row.before, row.after) > 0. &&
@@ -133,7 +127,6 @@ namespace vfife
           }
       }
   }
-
 
   void PressureSolver::solve(std::vector<TouchingPoint> &points)
   {

@@ -20,7 +20,6 @@ namespace vfife
     };
   } // namespace
 
-
   Fading::Fading(const SurfaceGeometry &master, const Projection &p, const double width)
   {
     const unsigned int border = master.border_sides(p.facet);
@@ -37,7 +36,6 @@ namespace vfife
     slope_xi  = scale * (one.slope * two.value - one.value * two.slope) * along_eta;
     slope_eta = scale * (three.slope * four.value - three.value * four.slope) * along_xi;
   }
-
 
   TangentBasis::TangentBasis(SurfaceGeometry  &master,
                              const Projection &p,
@@ -60,7 +58,6 @@ namespace vfife
     shape_xi                 = {{p.eta - 1., 1. - p.eta, p.eta, -p.eta}};
     shape_eta                = {{p.xi - 1., -p.xi, p.xi, 1. - p.xi}};
   }
-
 
   double TangentBasis::couple_share(const Vector3 &force, const unsigned int k) const
   {

@@ -13,7 +13,6 @@ namespace vfife
     return choices;
   }
 
-
   namespace
   {
     /** @p mean_gradients: of the undeformed element. */
@@ -23,7 +22,6 @@ namespace vfife
       return (x.colwise() - x.col(0).eval()) * mean_gradients.transpose();
     }
   } // namespace
-
 
   Matrix3 compute_polar_rotation(const Matrix3 &F)
   {
@@ -36,7 +34,6 @@ namespace vfife
                            "no polar rotation.");
     return R;
   }
-
 
   Matrix3 compute_triad(const HexahedronNodes &nodes)
   {
@@ -55,7 +52,6 @@ namespace vfife
     return triad;
   }
 
-
   ElementFrame::ElementFrame(const FrameKind kind, const HexahedronNodes &X)
     : kind_(kind)
   {
@@ -65,7 +61,6 @@ namespace vfife
       triad_ = compute_triad(X);
   }
 
-
   Matrix3 ElementFrame::compute(const HexahedronNodes &x) const
   {
     // Three nodes: triad(X)^T takes the reference axes to x y z, triad(x)
@@ -74,7 +69,6 @@ namespace vfife
              ? compute_polar_rotation(deformation_gradient_of(mean_gradients_, x))
              : Matrix3(compute_triad(x) * triad_.transpose());
   }
-
 
   Matrix3 compute_frame(const FrameKind kind, const HexahedronNodes &X, const HexahedronNodes &x)
   {

@@ -14,12 +14,10 @@ namespace vfife
     return {node & 1u ? 1. : -1., node & 2u ? 1. : -1., node & 4u ? 1. : -1.};
   }
 
-
   Vector3 gauss_point(const unsigned int q)
   {
     return reference_corner(q) / std::sqrt(3.);
   }
-
 
   Eigen::Matrix<double, 8, 1> shape_functions(const Vector3 &xi)
   {
@@ -31,7 +29,6 @@ namespace vfife
       }
     return N;
   }
-
 
   HexahedronNodes reference_gradients(const Vector3 &xi)
   {
@@ -48,7 +45,6 @@ namespace vfife
     return gradients;
   }
 
-
   double hourglass_sign(const unsigned int k, const unsigned int node)
   {
     // The functions eta zeta, xi zeta, xi eta, xi eta zeta, which no linear field contains; with 1,
@@ -57,12 +53,10 @@ namespace vfife
     return k == 3 ? corner.prod() : corner[(k + 1) % 3] * corner[(k + 2) % 3];
   }
 
-
   Matrix3 compute_jacobian(const HexahedronNodes &nodes, const Vector3 &xi)
   {
     return nodes * reference_gradients(xi).transpose();
   }
-
 
   double compute_volume(const HexahedronNodes &nodes)
   {
@@ -73,7 +67,6 @@ namespace vfife
       volume += compute_jacobian(nodes, gauss_point(q)).determinant();
     return volume;
   }
-
 
   HexahedronNodes compute_mean_gradients(const HexahedronNodes &nodes)
   {
@@ -91,7 +84,6 @@ namespace vfife
     return integral / volume;
   }
 
-
   Eigen::Matrix<double, 8, 1> compute_lumped_mass(const HexahedronNodes &nodes,
                                                   const double           density)
   {
@@ -104,7 +96,6 @@ namespace vfife
     return mass;
   }
 
-
   double compute_least_jacobian(const HexahedronNodes &nodes)
   {
     // The corners show where a face folds first, the Gauss points what the stiffness would see.
@@ -116,7 +107,6 @@ namespace vfife
     return least;
   }
 
-
   double compute_least_gauss_jacobian(const HexahedronNodes &nodes)
   {
     double least = compute_jacobian(nodes, gauss_point(0)).determinant();
@@ -124,7 +114,6 @@ namespace vfife
       least = std::min(least, compute_jacobian(nodes, gauss_point(q)).determinant());
     return least;
   }
-
 
   Vector3 compute_centroid(const HexahedronNodes &nodes)
   {

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameter_file.h>
-#include <vfife/base/parameters/section_of_options.h>
+#include <vfife/base/parameters/parameters.h>
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/element/material_sections.h>
 

@@ -52,7 +52,6 @@ namespace vfife
     }
   } // namespace
 
-
   ReducedStiffness compute_reduced_stiffness(const HexahedronNodes &X,
                                              const Material        &material,
                                              const StiffnessKind    kind)
@@ -97,7 +96,6 @@ namespace vfife
     return reduced;
   }
 
-
   Matrix24 expand(const ReducedStiffness &reduced, const Material &material)
   {
     Eigen::Matrix<double, 12, 12> H;
@@ -108,7 +106,6 @@ namespace vfife
     const Matrix12x24 G = for_each_component(patterns_of(reduced));
     return mean_stiffness(reduced, material) + G.transpose() * H * G;
   }
-
 
   void write_constants(const ReducedStiffness &reduced, const Material &material, double *out)
   {

@@ -18,7 +18,6 @@ namespace vfife
     return choices;
   }
 
-
   Eigen::Matrix<double, 6, 6> compute_elasticity(const Material &material)
   {
     // sigma = lambda tr(eps) I + 2 mu eps; engineering shears are twice
@@ -29,7 +28,6 @@ namespace vfife
     D.diagonal().tail<3>().setConstant(material.mu());
     return D;
   }
-
 
   Eigen::MatrixXd compute_strain_matrix(const Eigen::Matrix<double, 3, Eigen::Dynamic> &gradients)
   {
@@ -45,7 +43,6 @@ namespace vfife
         }
     return B;
   }
-
 
   namespace
   {
@@ -94,7 +91,6 @@ namespace vfife
     }
   } // namespace
 
-
   ElementStrains compute_element_strains(const HexahedronNodes &X, const StiffnessKind kind)
   {
     const Matrix3               centre_jacobian           = compute_jacobian(X, Vector3::Zero());
@@ -136,7 +132,6 @@ namespace vfife
     return strains;
   }
 
-
   namespace
   {
     /** Kaa alpha + Kau u = 0, no force on the bubbles, for each column of @p strain_at(q): strains
@@ -162,7 +157,6 @@ namespace vfife
     }
   } // namespace
 
-
   Eigen::Matrix<double, 9, 24> compute_bubble_recovery(const ElementStrains &strains,
                                                        const Material       &material)
   {
@@ -173,7 +167,6 @@ namespace vfife
                                });
   }
 
-
   Eigen::Matrix<double, 9, 1> compute_bubbles(const ElementStrains               &strains,
                                               const Material                     &material,
                                               const Eigen::Matrix<double, 24, 1> &u)
@@ -182,7 +175,6 @@ namespace vfife
       return Eigen::Matrix<double, 6, 1>(strains.displacement[q] * u);
     });
   }
-
 
   Matrix24
   compute_stiffness(const HexahedronNodes &X, const Material &material, const StiffnessKind kind)

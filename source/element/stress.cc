@@ -17,7 +17,6 @@ namespace vfife
     return Eigen::Map<const Vector24>(u.data());
   }
 
-
   StressRecovery::StressRecovery(const HexahedronNodes &X,
                                  const Material        &material,
                                  const StiffnessKind    kind,
@@ -42,7 +41,6 @@ namespace vfife
       }
   }
 
-
   Eigen::Matrix<double, 6, 8> StressRecovery::compute(const HexahedronNodes &x) const
   {
     // As compute_local_displacements().
@@ -54,7 +52,6 @@ namespace vfife
     return stresses;
   }
 
-
   Eigen::Matrix<double, 6, 8> compute_nodal_stresses(const HexahedronNodes &X,
                                                      const HexahedronNodes &x,
                                                      const Material        &material,
@@ -63,7 +60,6 @@ namespace vfife
   {
     return StressRecovery(X, material, kind, frame).compute(x);
   }
-
 
   Stress turn_stress(const Stress &s, const Matrix3 &axes)
   {
@@ -75,7 +71,6 @@ namespace vfife
     turned << t(0, 0), t(1, 1), t(2, 2), t(0, 1), t(1, 2), t(2, 0);
     return turned;
   }
-
 
   Vector3 compute_principal_stresses(const Stress &stress)
   {

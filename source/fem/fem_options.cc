@@ -159,28 +159,16 @@ namespace vfife
 
   void FemOptions::check(const std::string &section) const
   {
-    try
-      {
-        // Parsed already here: a speed that is no quantity is named with its entry.
-        std::vector<double> values = rates();
-        if (values.empty())
-          throw InputError("expected at least one speed (0 for bodies at rest)");
-        std::sort(values.begin(), values.end());
-        if (std::adjacent_find(values.begin(), values.end()) != values.end())
-          throw InputError("duplicate speed");
-      }
-    catch (const InputError &error)
-      {
-        throw InputError(section + "/speeds", error.what());
-      }
-    try
-      {
-        read_local_refinements(local_refinement);
-      }
-    catch (const InputError &error)
-      {
-        throw InputError(section + "/local refinement", error.what());
-      }
+    for_entry(section + "/speeds", [this] {
+      // Parsed already here: a speed that is no quantity is named with its entry.
+      std::vector<double> values = rates();
+      if (values.empty())
+        throw InputError("expected at least one speed (0 for bodies at rest)");
+      std::sort(values.begin(), values.end());
+      if (std::adjacent_find(values.begin(), values.end()) != values.end())
+        throw InputError("duplicate speed");
+    });
+    for_entry(section + "/local refinement", [this] { read_local_refinements(local_refinement); });
     if (geometry == FemGeometry::curved && degree_of(element) == 1)
       throw InputError(section + "/geometry",
                        "expected straight, got curved: elements with 8 nodes have straight edges. "

@@ -3,7 +3,6 @@
 #include <vfife/lumped/fourier_series.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace vfife
 {

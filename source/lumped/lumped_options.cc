@@ -5,7 +5,6 @@
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameter_table.h>
 #include <vfife/base/parameters/parameters.h>
-#include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/text/quantity.h>
 #include <vfife/lumped/lumped_options.h>
 
@@ -33,14 +32,7 @@ namespace vfife
                                    const std::vector<std::string> &texts,
                                    const std::string              &unit)
     {
-      try
-        {
-          return read_number_list(texts, unit);
-        }
-      catch (const InputError &error)
-        {
-          throw InputError("Lumped/" + entry, error.what());
-        }
+      return for_entry("Lumped/" + entry, [&] { return read_number_list(texts, unit); });
     }
 
     /** Throws where an entry is neither given nor taken from a gear pair. */
@@ -277,14 +269,9 @@ namespace vfife
     pair.damping_without_contact = damping_without_contact;
     pair.speed_damping           = speed_damping;
     if (source == MeshSource::loaded_contact)
-      try
-        {
-          pair.law = MeshLaw::from_table(read_parameter_table(table), table, load_law);
-        }
-      catch (const InputError &error)
-        {
-          throw InputError("Lumped/table", error.what());
-        }
+      pair.law = for_entry("Lumped/table", [this] {
+        return MeshLaw::from_table(read_parameter_table(table), table, load_law);
+      });
     else
       {
         // Given over the mean stiffness; their sum below one keeps k(x) positive.

@@ -268,12 +268,11 @@ namespace vfife
 
   Table make_motion_table(const LumpedModel &model)
   {
-    Table table;
-    table.add_column(column::time, "s");
-    table.add_column(column::position, "mesh cycles");
-    table.add_column(column::dte, "arcsec");
-    table.add_column("mesh force", "N");
-    table.add_column(column::contact_torque_on("gear"), "N m");
+    Table table{{column::time, "s"},
+                {column::position, "mesh cycles"},
+                {column::dte, "arcsec"},
+                {"mesh force", "N"},
+                {column::contact_torque_on("gear"), "N m"}};
     for (const LumpedSupport &support : model.pair().supports)
       table.add_column(support.name, support.tilts ? "arcsec" : "um");
     table.add_column(column::energy_error, "mJ");

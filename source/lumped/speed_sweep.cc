@@ -44,22 +44,20 @@ namespace vfife
 
   Table make_resonance_response_table()
   {
-    Table table;
-    table.add_text_column(column::direction);
-    table.add_column(column::speed, "rpm");
-    table.add_column(column::mesh_frequency, "Hz");
-    table.add_column(column::mean_dte, "arcsec");
-    table.add_column("rms dte", "arcsec");
-    table.add_column(column::peak_to_peak_dte, "arcsec");
-    table.add_column(column::mean_force, "N");
-    table.add_column("rms force", "N");
-    table.add_column(column::peak_to_peak_force, "N");
-    table.add_column(column::largest_force, "N");
-    table.add_column("losses of contact", "-");
-    table.add_column(column::time_without_contact, "-");
-    table.add_column("time on coast flanks", "-");
-    table.add_column(column::energy_error, "-");
-    return table;
+    return {{column::direction},
+            {column::speed, "rpm"},
+            {column::mesh_frequency, "Hz"},
+            {column::mean_dte, "arcsec"},
+            {"rms dte", "arcsec"},
+            {column::peak_to_peak_dte, "arcsec"},
+            {column::mean_force, "N"},
+            {"rms force", "N"},
+            {column::peak_to_peak_force, "N"},
+            {column::largest_force, "N"},
+            {"losses of contact", "-"},
+            {column::time_without_contact, "-"},
+            {"time on coast flanks", "-"},
+            {column::energy_error, "-"}};
   }
 
   void add_response(const std::string    &direction,

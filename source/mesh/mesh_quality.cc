@@ -114,7 +114,6 @@ namespace vfife
         if (scaled < quality.least_scaled_jacobian)
           {
             quality.least_scaled_jacobian = scaled;
-            quality.worst_cell            = cell->active_cell_index();
             quality.worst_cell_centre     = centre_of(x);
           }
 

@@ -52,30 +52,20 @@ namespace vfife
         for (unsigned int i = 0; i < selected_body.n_nodes(); ++i)
           nodes.insert(nodes.end(), i);
       else
-        try
-          {
-            const auto &members = selected_body.node_set(set);
-            nodes.insert(members.begin(), members.end());
-          }
-        catch (const InputError &error)
-          {
-            throw InputError(section + "/nodes", error.what());
-          }
+        for_entry(section + "/nodes", [&] {
+          const auto &members = selected_body.node_set(set);
+          nodes.insert(members.begin(), members.end());
+        });
     if (sets.empty())
       throw InputError(section + "/nodes", "is empty. Give node sets of the body, or all");
     if (!where.empty())
-      try
-        {
-          // Anything but zero is true.
-          const Expression condition(where);
-          for (auto node = nodes.begin(); node != nodes.end();)
-            node = condition.holds(selected_body.node_positions()[*node]) ? std::next(node)
-                                                                          : nodes.erase(node);
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(section + "/where", error.what());
-        }
+      for_entry(section + "/where", [&] {
+        // Anything but zero is true.
+        const Expression condition(where);
+        for (auto node = nodes.begin(); node != nodes.end();)
+          node = condition.holds(selected_body.node_positions()[*node]) ? std::next(node)
+                                                                        : nodes.erase(node);
+      });
     if (nodes.empty())
       throw InputError(section + (where.empty() ? "/nodes" : "/where"),
                        "no node of body \"" + selected_body.name() + "\" is selected");

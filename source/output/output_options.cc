@@ -134,14 +134,7 @@ namespace vfife
     if (!(checkpoint_every >= 0) || !std::isfinite(checkpoint_every))
       throw InputError(section + "/checkpoint interval",
                        "must be a wall time in seconds, 0 for none");
-    try
-      {
-        parse_diameters(stress_waves);
-      }
-    catch (const InputError &error)
-      {
-        throw InputError(section + "/stress wave diameters", error.what());
-      }
+    for_entry(section + "/stress wave diameters", [this] { parse_diameters(stress_waves); });
   }
 
   void OutputOptions::refuse_stress_waves(const std::string &section) const

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <vector>
 
 namespace vfife
 {

@@ -7,7 +7,6 @@
 #include <vfife/reduced/pair_readings.h>
 
 #include <algorithm>
-#include <complex>
 #include <map>
 #include <optional>
 #include <set>

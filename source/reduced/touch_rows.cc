@@ -1,12 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
-#include <vfife/reduced/reduced_body.h>
 #include <vfife/reduced/touch_rows.h>
 
 #include <algorithm>
-#include <complex>
 #include <string>
-#include <utility>
 
 namespace vfife
 {

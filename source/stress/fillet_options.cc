@@ -3,7 +3,7 @@
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/text/nearest_name.h>
-#include <vfife/base/text/tooth_number.h>
+#include <vfife/base/text/number_text.h>
 #include <vfife/stress/fillet_options.h>
 
 #include <deal.II/base/parameter_handler.h>

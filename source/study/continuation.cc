@@ -49,12 +49,12 @@ namespace vfife
       for (const auto &[path, digest] : checkpoint.input_digests)
         if (const auto entry = by_former_path.find(path); entry != by_former_path.end())
           entry->second->digest_before = digest;
-      for (const auto &[path, pattern] : now.list_patterns())
+      for (const auto &[path, pattern] : now.list_texts(&DeclaredSection::Entry::pattern))
         if (std::optional<std::string> &before = entries[path].before)
           before = text_in_force(pattern, *before);
-      for (const auto &[path, text] : now.list_values())
+      for (const auto &[path, text] : now.list_texts(&DeclaredSection::Entry::value))
         entries[path].now = text;
-      for (const auto &[path, text] : now.list_defaults())
+      for (const auto &[path, text] : now.list_texts(&DeclaredSection::Entry::default_value))
         entries[path].default_now = text;
       return entries;
     }

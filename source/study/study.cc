@@ -22,10 +22,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <optional>
 #include <set>
 
@@ -218,7 +216,8 @@ namespace vfife
           // Its files may be results of cases that come before it.
           parsed.study->check();
           const AbsoluteFileNames absolute(parsed.prm); // as in the parameters that are kept
-          return {find_declared(parsed.prm).list_values(), parsed.options.kind.last_file};
+          return {find_declared(parsed.prm).list_texts(&DeclaredSection::Entry::value),
+                  parsed.options.kind.last_file};
         });
       }
 

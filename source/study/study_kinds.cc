@@ -1,6 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/study/reduced/reduced_study.h>
-#include <vfife/study/run/run_study.h>
+#include <vfife/base/errors.h>
 #include <vfife/study/study_kinds.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -16,6 +15,19 @@ namespace vfife
       return make();
     }
   } // namespace
+
+  std::vector<std::string> StudyKind::cases_taken_over() const
+  {
+    return {};
+  }
+
+  std::size_t
+  StudyKind::resume(const std::string &, const DeclaredSection &, const Communicator &, Log &)
+  {
+    throw InputError(
+      "Study/kind",
+      "--restart is not available for this kind (available: run, reduced, sweep, compare, waves)");
+  }
 
   const Choices<KnownStudy> &study_kinds()
   {

@@ -3,7 +3,6 @@
 // the right line.
 
 #include <vfife/base/parameters/number_list.h>
-#include <vfife/base/parameters/number_or_word.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/types.h>

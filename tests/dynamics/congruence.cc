@@ -1,13 +1,13 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Congruent elements, their packs, the operator's forces against dense element matrices, and
 // relaxation against a turning bar's closed form.
+#include "../internal_force.h"
 #include "../refusal.h"
 #include "../tests.h"
 #include "relaxed.h"
 
 #include <vfife/base/errors.h>
 #include <vfife/base/process/mpi_session.h>
-#include <vfife/element/internal_force.h>
 #include <vfife/mesh/body_mesh.h>
 
 #include <numeric>

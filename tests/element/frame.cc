@@ -1,13 +1,13 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Frames: rigid motions, balance of forces and moments, force as derivative of energy, numbering,
 // series.
+#include "../internal_force.h"
 #include "../refusal.h"
 #include "../tests.h"
 #include "samples.h"
 
 #include <vfife/base/errors.h>
 #include <vfife/element/frame.h>
-#include <vfife/element/internal_force.h>
 
 #include <Eigen/LU>
 

@@ -2,12 +2,12 @@
 // Kernels of an instruction set (generic, or the one that is named) against the dense Eigen
 // reference; empty lanes; choice of the set.
 #include "../instruction_sets.h"
+#include "../internal_force.h"
 #include "../refusal.h"
 #include "../tests.h"
 #include "samples.h"
 
 #include <vfife/element/frame.h>
-#include <vfife/element/internal_force.h>
 
 #include <algorithm>
 #include <cstdlib>

@@ -2,11 +2,11 @@
 // Elements under finite strain: derivatives of the energy, waves in a stretched medium, limits at
 // rest and under rigid rotation; stiffness in spin beside that of explicit dynamics' elements.
 #include "../element/samples.h"
+#include "../internal_force.h"
 #include "../parts.h"
 #include "../tests.h"
 
 #include <vfife/base/process/communicator.h>
-#include <vfife/element/internal_force.h>
 #include <vfife/element/stiffness.h>
 #include <vfife/fem/modes/rotating_body.h>
 #include <vfife/fem/solvers/direct_solver.h>

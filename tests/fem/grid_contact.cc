@@ -3,11 +3,11 @@
 // are as wide as, where the contact lies among them, and which forces have bent them before.
 #include "../tests.h"
 
+#include <vfife/base/facet_surface.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/contact/half_space/cell_flexibility.h>
 #include <vfife/contact/law/hertz.h>
-#include <vfife/contact/surface/edge_sides.h>
 #include <vfife/contact/surface/facet_quadrature.h>
 #include <vfife/fem/pressure/grid_contact.h>
 #include <vfife/fem/statics/compliance.h>

@@ -6,7 +6,7 @@
 
 #include <vfife/bearing/shaft_seat.h>
 #include <vfife/fem/modes/rotating_body.h>
-#include <vfife/fem/statics/reactions.h>
+#include <vfife/fem/statics/nodal_solution.h>
 #include <vfife/fem/statics/static_solver.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/mesh/primitives/primitives.h>

@@ -5,7 +5,7 @@
 #include "../parts.h"
 #include "../tests.h"
 
-#include <vfife/base/complex.h>
+#include <vfife/base/types.h>
 #include <vfife/fem/modes/mode_description.h>
 #include <vfife/mesh/primitives/primitives.h>
 

@@ -4,7 +4,7 @@
 #include "../refusal.h"
 #include "../tests.h"
 
-#include <vfife/base/complex.h>
+#include <vfife/base/types.h>
 #include <vfife/reduced/body_waves.h>
 #include <vfife/reduced/modal_motion.h>
 

@@ -3,8 +3,8 @@
 #include "../refusal.h"
 #include "../tests.h"
 
-#include <vfife/base/complex.h>
 #include <vfife/base/errors.h>
+#include <vfife/base/types.h>
 #include <vfife/reduced/modal_motion.h>
 #include <vfife/reduced/reduced_body.h>
 

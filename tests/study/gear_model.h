@@ -3,7 +3,7 @@
 #define vfife_tests_study_gear_model_h
 
 #include <vfife/base/parameters/parameter_file.h>
-#include <vfife/base/parameters/section_of_options.h>
+#include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/fem/fem_options.h>

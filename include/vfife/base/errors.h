@@ -64,6 +64,34 @@ namespace vfife
     std::vector<InputError> errors_;
   };
 
+  /** What @p read returns; its InputError is one about the @p entry. */
+  template <typename Read>
+  auto for_entry(const std::string &entry, const Read &read)
+  {
+    try
+      {
+        return read();
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(entry, error.what());
+      }
+  }
+
+  /** What @p read returns; the message of its InputError is put behind the @p place. */
+  template <typename Read>
+  auto for_place(const std::string &place, const Read &read)
+  {
+    try
+      {
+        return read();
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(place + ": " + error.what());
+      }
+  }
+
   /**
    * A signal has asked the program to stop, and what is needed to go on is on disk: exit code 3.
    * The message says how.

@@ -56,6 +56,14 @@ namespace vfife
 
   /** Fills FacetSurface::neighbours from the facets' shared edges. */
   void find_neighbours(FacetSurface &surface);
+
+  /** Of a facet, 0 where the surface has no groups. */
+  unsigned int group_of(const FacetSurface &surface, std::size_t facet);
+
+  /** The number of the body's edge on which a side of a facet lies, FacetSurface::edges; where
+   * edges are not numbered the whole border of a group is its edge 1. 0: none. The surface's
+   * neighbours must be known. */
+  unsigned int edge_number(const FacetSurface &surface, std::size_t facet, unsigned int side);
 } // namespace vfife
 
 #endif

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <complex>
 #include <limits>
 
 /**
@@ -17,6 +18,9 @@ namespace vfife
   using Vector2 = Eigen::Vector2d;
   using Vector3 = Eigen::Vector3d;
   using Matrix3 = Eigen::Matrix3d;
+  using Complex = std::complex<double>;
+
+  constexpr Complex imaginary_unit(0., 1.);
 
   constexpr double pi = 3.14159265358979323846;
 
@@ -48,6 +52,13 @@ namespace vfife
   inline double polar_angle(const Vector3 &x)
   {
     return std::atan2(x[1], x[0]);
+  }
+
+  /** An angle that is known but for whole turns, with as many of them as bring it nearest to what
+   * it was a moment ago, @p before [rad]. Without any it keeps its last digit. */
+  inline double count_turns(const double angle, const double before)
+  {
+    return angle + 2. * pi * std::nearbyint((before - angle) / (2. * pi));
   }
 
   /** Rotation by @p angle [rad] about the unit vector @p axis (right-hand rule). */

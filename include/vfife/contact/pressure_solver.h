@@ -67,7 +67,6 @@ namespace vfife
       double                      give     = 0.; ///< of the end's gap to a pressure [mm/MPa]
       double                      pressure = 0.;
       double                      elastic = 0., slope = 0., after = 0.; ///< of the last sweep
-      double                      energy_before = 0.;
     };
 
     double end_penetration(const Row &row) const;

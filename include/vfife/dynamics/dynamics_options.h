@@ -2,15 +2,11 @@
 #ifndef vfife_dynamics_dynamics_options_h
 #define vfife_dynamics_dynamics_options_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/element/frame_kind.h>
 #include <vfife/element/stiffness.h>
 
 #include <string>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

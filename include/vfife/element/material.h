@@ -2,13 +2,10 @@
 #ifndef vfife_element_material_h
 #define vfife_element_material_h
 
+#include <vfife/base/parameter_handler.h>
+
 #include <string>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

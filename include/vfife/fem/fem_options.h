@@ -2,17 +2,13 @@
 #ifndef vfife_fem_fem_options_h
 #define vfife_fem_fem_options_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/element/stiffness.h>
 #include <vfife/fem/system/fem_space.h>
 #include <vfife/fem/system/finite_strain.h>
 
 #include <string>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

@@ -2,12 +2,9 @@
 #ifndef vfife_gear_driving_h
 #define vfife_gear_driving_h
 
-#include <string>
+#include <vfife/base/parameter_handler.h>
 
-namespace dealii
-{
-  class ParameterHandler;
-}
+#include <string>
 
 namespace vfife
 {

@@ -2,16 +2,12 @@
 #ifndef vfife_lumped_lumped_options_h
 #define vfife_lumped_lumped_options_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/base/types.h>
 #include <vfife/lumped/lumped_model.h>
 
 #include <string>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

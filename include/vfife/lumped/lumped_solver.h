@@ -2,15 +2,11 @@
 #ifndef vfife_lumped_lumped_solver_h
 #define vfife_lumped_lumped_solver_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/base/text/table.h>
 #include <vfife/lumped/lumped_model.h>
 
 #include <functional>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

@@ -18,9 +18,8 @@ namespace vfife
      * Least over cells and corners of det(e1, e2, e3) / (|e1| |e2| |e3|), e the edges that leave
      * the corner: 1 for a box, <= 0 for an inverted corner.
      */
-    double       least_scaled_jacobian = 0;
-    unsigned int worst_cell            = 0;               ///< where that is
-    Vector3      worst_cell_centre     = Vector3::Zero(); ///< [mm]
+    double  least_scaled_jacobian = 0;
+    Vector3 worst_cell_centre     = Vector3::Zero(); ///< [mm]
 
     /** Least determinant of dX/dxi on the unit cube, at corners and 2 x 2 x 2 Gauss points [mm^3].
      */

@@ -2,14 +2,11 @@
 #ifndef vfife_mesh_shaft_sections_h
 #define vfife_mesh_shaft_sections_h
 
+#include <vfife/base/parameter_handler.h>
+
 #include <set>
 #include <string>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

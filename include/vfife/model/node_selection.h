@@ -2,16 +2,12 @@
 #ifndef vfife_model_node_selection_h
 #define vfife_model_node_selection_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/model/body.h>
 #include <vfife/model/load.h>
 
 #include <string>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

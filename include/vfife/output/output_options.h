@@ -2,16 +2,12 @@
 #ifndef vfife_output_output_options_h
 #define vfife_output_output_options_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/base/process/log.h>
 
 #include <cstdint>
 #include <string>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

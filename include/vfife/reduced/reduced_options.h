@@ -2,14 +2,10 @@
 #ifndef vfife_reduced_reduced_options_h
 #define vfife_reduced_reduced_options_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/fem/fem_options.h>
 
 #include <string>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

@@ -2,6 +2,7 @@
 #ifndef vfife_stress_gauge_h
 #define vfife_stress_gauge_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/base/types.h>
 #include <vfife/stress/fillet.h>
 
@@ -9,11 +10,6 @@
 #include <functional>
 #include <string>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

@@ -2,12 +2,8 @@
 #ifndef vfife_study_other_sections_h
 #define vfife_study_other_sections_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/base/parameters/parameter_file.h>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

@@ -2,14 +2,11 @@
 #ifndef vfife_study_study_kind_h
 #define vfife_study_study_kind_h
 
+#include <vfife/base/parameter_handler.h>
+
 #include <cstddef>
 #include <string>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

@@ -12,6 +12,14 @@ namespace vfife
 {
   class CaseRunner;
 
+  /** Study kind `run`: explicit dynamics of a gear pair or a general model from the start to the
+   * end, with all results. */
+  std::unique_ptr<StudyKind> make_run_study();
+
+  /** Study kind `reduced`: the gear pair of an explicit run with its bodies reduced to modes and
+   * residual flexibilities, with the results of a run but for fields. */
+  std::unique_ptr<StudyKind> make_reduced_study();
+
   /** Study kind `waves`: speeds at which orders of the gear mesh meet travelling waves of the
    * driven gear, what the pair, reduced or as explicit runs, does at and around each, and which
    * speeds to avoid. Runs have folders of their own, line_1_speed_1 and so on; with --restart

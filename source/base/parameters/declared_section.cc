@@ -116,24 +116,6 @@ namespace vfife
   }
 
   std::vector<std::pair<std::string, std::string>>
-  DeclaredSection::list_values(const std::string &path) const
-  {
-    return list_texts(&Entry::value, path);
-  }
-
-  std::vector<std::pair<std::string, std::string>>
-  DeclaredSection::list_defaults(const std::string &path) const
-  {
-    return list_texts(&Entry::default_value, path);
-  }
-
-  std::vector<std::pair<std::string, std::string>>
-  DeclaredSection::list_patterns(const std::string &path) const
-  {
-    return list_texts(&Entry::pattern, path);
-  }
-
-  std::vector<std::pair<std::string, std::string>>
   DeclaredSection::list_texts(std::string Entry::*const text, const std::string &path) const
   {
     // Depth first, the entries of a section before those of the sections inside it.

@@ -1,5 +1,4 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/parameters/declared_section.h>
 #include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/former_names.h>
 #include <vfife/base/parameters/parameter_file.h>

@@ -24,14 +24,7 @@ namespace vfife
     std::vector<std::string>
     cells_of(const std::string &line, const std::string &name, const unsigned int number)
     {
-      try
-        {
-          return split_row(line);
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(name + ", line " + std::to_string(number) + ": " + error.what());
-        }
+      return for_place(name + ", line " + std::to_string(number), [&] { return split_row(line); });
     }
 
     double number_of(const std::string &cell, const std::string &name, const std::string &place)

@@ -54,14 +54,7 @@ namespace vfife
 
   void ParameterHistory::check(const std::string &section)
   {
-    try
-      {
-        read(text_, "-", section + "/history");
-      }
-    catch (const InputError &error)
-      {
-        throw InputError(section + "/history", error.what());
-      }
+    for_entry(section + "/history", [&] { read(text_, "-", section + "/history"); });
   }
 
   void

@@ -28,18 +28,12 @@ namespace vfife
       if (column.unit == "-" || column.unit == unit ||
           (unit == "mesh cycles" && column.unit == former_mesh_cycles))
         return numbers;
-      try
-        {
-          // Some columns have units that no entry has ("mesh cycles").
-          const double factor = in_unit(parse_quantity("1 " + column.unit, unit), unit);
-          for (double &number : numbers)
-            number *= factor;
-        }
-      catch (const InputError &error)
-        {
-          throw InputError("the table \"" + path + "\", column \"" + column.name +
-                           "\": " + error.what());
-        }
+      for_place("the table \"" + path + "\", column \"" + column.name + "\"", [&] {
+        // Some columns have units that no entry has ("mesh cycles").
+        const double factor = in_unit(parse_quantity("1 " + column.unit, unit), unit);
+        for (double &number : numbers)
+          number *= factor;
+      });
       return numbers;
     }
 

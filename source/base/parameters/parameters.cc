@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/number_list.h>
-#include <vfife/base/parameters/number_or_word.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/base/text/number_text.h>

@@ -62,11 +62,7 @@ namespace vfife
     figures.push_back(total());
     communicator.max(figures);
 
-    Table table;
-    table.add_text_column("section");
-    table.add_column("time", "s");
-    table.add_column("share", "%");
-    table.add_column("calls", "-");
+    Table table{{"section"}, {"time", "s"}, {"share", "%"}, {"calls", "-"}};
     // Maxima over the ranks: the sections may add up to more than the total.
     const double total_time = figures.back();
     const auto   add        = [&](const unsigned int i) {

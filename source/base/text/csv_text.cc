@@ -47,14 +47,7 @@ namespace vfife
 
     bool next_line(TextLines &lines, const std::string &name, std::string &line)
     {
-      try
-        {
-          return lines.next(line);
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(name + ": " + error.what());
-        }
+      return for_place(name, [&] { return lines.next(line); });
     }
   } // namespace
 

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <locale>
-#include <sstream>
 
 namespace vfife
 {

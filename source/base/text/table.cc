@@ -62,6 +62,12 @@ namespace vfife
     }
   } // namespace
 
+  Table::Table(const std::initializer_list<Heading> headings)
+  {
+    for (const Heading &heading : headings)
+      add_any_column(heading.name, heading.unit, heading.unit.empty());
+  }
+
   void Table::add_any_column(const std::string &name, const std::string &unit, const bool is_text)
   {
     if (n_rows_ > 0)

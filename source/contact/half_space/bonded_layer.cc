@@ -41,14 +41,12 @@ namespace vfife
     }
   } // namespace
 
-
   double integrate_inverse_distance(const Vector2 &from_middle, const Vector2 &sides)
   {
     const Vector2 high = from_middle + .5 * sides, low = from_middle - .5 * sides;
     return corner_integral(high[0], high[1]) - corner_integral(low[0], high[1]) -
            corner_integral(high[0], low[1]) + corner_integral(low[0], low[1]);
   }
-
 
   BondedLayer::BondedLayer(const double poissons_ratio)
   {
@@ -68,7 +66,6 @@ namespace vfife
         values_.push_back(sum);
       }
   }
-
 
   double BondedLayer::correction(const double distance, const double depth) const
   {

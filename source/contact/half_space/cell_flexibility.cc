@@ -67,7 +67,6 @@ namespace vfife
     }
   } // namespace
 
-
   Eigen::MatrixXd compute_cell_flexibility(const Places                      &places,
                                            const Vector2                     &sides,
                                            const std::array<ElasticLayer, 2> &bodies)

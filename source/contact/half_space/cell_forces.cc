@@ -173,7 +173,6 @@ namespace vfife
     }
   } // namespace
 
-
   CellForces
   find_cell_forces(const std::function<Eigen::VectorXd(const Eigen::VectorXd &)> &flexibility,
                    const Eigen::VectorXd                                         &gaps,

@@ -14,7 +14,6 @@ namespace vfife
   {
   }
 
-
   void ContactInteraction::set_penalty(const double penalty, const double mass_per_area)
   {
     if (!(penalty > 0. && std::isfinite(penalty)) || !(mass_per_area >= 0.))
@@ -23,7 +22,6 @@ namespace vfife
     penalty_       = penalty;
     mass_per_area_ = mass_per_area;
   }
-
 
   SurfaceInteraction ContactInteraction::at_step(const double dt) const
   {

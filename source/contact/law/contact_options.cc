@@ -2,7 +2,6 @@
 #include <vfife/base/errors.h>
 #include <vfife/contact/law/contact_options.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace vfife
@@ -17,7 +16,6 @@ namespace vfife
     constexpr unsigned int most_points = 20; ///< of a facet per direction
   }                                          // namespace
 
-
   const Choices<ContactDiscretization> &contact_discretizations()
   {
     static const Choices<ContactDiscretization> choices = {
@@ -26,7 +24,6 @@ namespace vfife
       {"nodes", ContactDiscretization::nodes}};
     return choices;
   }
-
 
   const Choices<ContactSurfaceKind> &contact_surface_kinds()
   {
@@ -38,14 +35,12 @@ namespace vfife
     return choices;
   }
 
-
   const Choices<ContactTime> &contact_times()
   {
     static const Choices<ContactTime> choices = {{"implicit", ContactTime::implicit},
                                                  {"explicit", ContactTime::explicit_}};
     return choices;
   }
-
 
   void ContactOptions::declare(dealii::ParameterHandler &prm)
   {
@@ -129,7 +124,6 @@ namespace vfife
                    Range::between(1e-6, 1.));
   }
 
-
   void ContactOptions::check(const std::string &section) const
   {
     const auto entry = [&section](const std::string &name) {
@@ -157,7 +151,6 @@ namespace vfife
     if (!(penetration_limit > 0. && penetration_limit <= 1.))
       throw InputError(entry("abort penetration ratio"), "must be positive and at most 1");
   }
-
 
   unsigned int points_across(const double facet, const double contact)
   {

@@ -42,7 +42,6 @@ namespace vfife
                    Range::between(0., 1.));
   }
 
-
   std::unique_ptr<const FrictionLaw> FrictionOptions::make_law() const
   {
     for (const FrictionEntry &entry : friction_entries())
@@ -55,7 +54,6 @@ namespace vfife
                            list_laws_with(entry.number) + ".");
     return law.make(*this);
   }
-
 
   void FrictionOptions::check(const std::string &section) const
   {

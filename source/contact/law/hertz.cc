@@ -26,7 +26,6 @@ namespace vfife
     };
   } // namespace
 
-
   HertzContact::HertzContact(const Vector2 &curvatures, const double modulus)
   {
     if (!(curvatures[0] > 0. && curvatures[1] >= curvatures[0] && modulus > 0.))
@@ -54,13 +53,11 @@ namespace vfife
     approach_ = 1.5 * integrals.first / (pi * modulus * major_);
   }
 
-
   Vector2 HertzContact::semi_axes(const double force) const
   {
     const double a = major_ * std::cbrt(force);
     return {a, axis_ratio_ * a};
   }
-
 
   double HertzContact::largest_pressure(const double force) const
   {
@@ -68,12 +65,10 @@ namespace vfife
     return axes[1] > 0. ? 1.5 * force / (pi * axes[0] * axes[1]) : 0.;
   }
 
-
   double HertzContact::approach(const double force) const
   {
     return approach_ * std::pow(force, 2. / 3.);
   }
-
 
   double contact_modulus(const double youngs_modulus_1,
                          const double poissons_ratio_1,

@@ -7,7 +7,6 @@ namespace vfife
   {
   }
 
-
   void LinearLaw::evaluate(std::vector<PressedPoint> &points) const
   {
     for (PressedPoint &point : points)

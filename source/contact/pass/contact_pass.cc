@@ -58,7 +58,6 @@ namespace vfife
     }
   } // namespace
 
-
   ContactPass::ContactPass(const FacetSurface   &slave,
                            const FacetSurface   &master,
                            const ContactOptions &options,
@@ -72,7 +71,6 @@ namespace vfife
   {
   }
 
-
   void ContactPass::place(const RigidMotion &slave_to_master)
   {
     master_carried_areas_ =
@@ -81,20 +79,17 @@ namespace vfife
                                         find_directions(slave(), master(), slave_to_master));
   }
 
-
   void ContactPass::set_pairs(const std::vector<std::pair<unsigned int, unsigned int>> &pairs)
   {
     lists_.set_pairs(pairs);
     results_.clear();
   }
 
-
   void ContactPass::set_shares(const std::vector<PointShare> &shares)
   {
     lists_.set_shares(shares);
     clear_results();
   }
-
 
   void ContactPass::set_friction_mode(const FrictionMode mode)
   {
@@ -104,7 +99,6 @@ namespace vfife
       lists_.wake();
   }
 
-
   void ContactPass::append_anchors(const unsigned int          pass,
                                    std::vector<AnchorOfPoint> &anchors) const
   {
@@ -113,7 +107,6 @@ namespace vfife
     for (const PointList &list : lists_.all())
       StickSlip::append_anchors(pass, list, anchors);
   }
-
 
   void ContactPass::locate(const SurfaceMotion      &slave,
                            const SurfaceMotion      &master,
@@ -147,7 +140,6 @@ namespace vfife
     add_time(&ContactTimes::forces);
   }
 
-
   void ContactPass::clear_results()
   {
     const std::vector<PointList> &lists = lists_.all();
@@ -160,7 +152,6 @@ namespace vfife
         results_[i].master_group = lists[i].master_group;
       }
   }
-
 
   void ContactPass::describe(const unsigned int number, const bool with_rates)
   {
@@ -188,7 +179,6 @@ namespace vfife
         describe(point, touches_.back(), with_rates);
       }
   }
-
 
   void ContactPass::describe(const ListedPoint &point, const Touch &touch, const bool with_rates)
   {
@@ -227,7 +217,6 @@ namespace vfife
     touching_.push_back(touching);
   }
 
-
   void ContactPass::press(const SurfaceInteraction &interaction,
                           double                   *slave_forces,
                           double                   *master_forces)
@@ -245,7 +234,6 @@ namespace vfife
     if (times_ != nullptr)
       times_->forces += processor_time() - start;
   }
-
 
   bool ContactPass::press(const std::size_t         number,
                           const SurfaceInteraction &interaction,
@@ -297,7 +285,6 @@ namespace vfife
     return true;
   }
 
-
   ContactPoint ContactPass::smallest_gap(const SurfaceMotion &slave,
                                          const SurfaceMotion &master,
                                          const double         reach,
@@ -314,7 +301,6 @@ namespace vfife
       }
     return smallest;
   }
-
 
   void ContactPass::add_near_nodes(const SurfaceMotion       &slave,
                                    const SurfaceMotion       &master,
@@ -336,7 +322,6 @@ namespace vfife
       }
   }
 
-
   void ContactPass::append_points(std::vector<ContactPoint> &points, const bool swapped) const
   {
     for (const PointList &list : lists_.all())
@@ -355,7 +340,6 @@ namespace vfife
             points.push_back(out);
           }
   }
-
 
   void ContactPass::append_springs(const ContactLaw           &law,
                                    const double                penalty,

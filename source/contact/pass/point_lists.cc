@@ -23,7 +23,6 @@ namespace vfife
     constexpr double work_of_touching = 2.;
   } // namespace
 
-
   PointLists::PointLists(PassSurfaces &surfaces, const ContactOptions &options)
     : surfaces_(surfaces)
     , skin_(options.search_skin > 0. ? options.search_skin
@@ -36,7 +35,6 @@ namespace vfife
     , master_path_(surfaces.master.n_groups())
   {
   }
-
 
   void PointLists::set_pairs(const std::vector<std::pair<unsigned int, unsigned int>> &pairs)
   {
@@ -61,7 +59,6 @@ namespace vfife
     follow_groups();
   }
 
-
   void PointLists::set_shares(const std::vector<PointShare> &shares)
   {
     // Points that come from other ranks are listed anew; what is gone is forgotten.
@@ -77,7 +74,6 @@ namespace vfife
     follow_groups();
   }
 
-
   void PointLists::take_work(std::vector<double> &of_pairs)
   {
     for (std::size_t i = 0; i < lists_.size(); ++i)
@@ -86,7 +82,6 @@ namespace vfife
         lists_[i].work = 0.;
       }
   }
-
 
   void PointLists::follow_groups()
   {
@@ -106,7 +101,6 @@ namespace vfife
     master_path_.set_active(master_groups);
   }
 
-
   void PointLists::update_paths()
   {
     const RigidMotion &frame = surfaces_.master.motion().body;
@@ -114,12 +108,10 @@ namespace vfife
     master_path_.update(surfaces_.master, frame);
   }
 
-
   double PointLists::path_of(const PointList &list) const
   {
     return slave_path_.length(list.slave_group) + master_path_.length(list.master_group);
   }
-
 
   void PointLists::wake()
   {
@@ -127,13 +119,11 @@ namespace vfife
       list.awake_at.assign(list.points.size(), -std::numeric_limits<double>::infinity());
   }
 
-
   void PointLists::find_points(PointList &list, const double open_reach, const double depth_reach)
   {
     ++n_wide_searches_;
     WideSearch(surfaces_, list.master_group).find_points(list, open_reach, depth_reach);
   }
-
 
   PointList
   PointLists::points_within(const PointList &list, const double reach, const PointShare &share)
@@ -146,7 +136,6 @@ namespace vfife
     find_points(within, reach, reach);
     return within;
   }
-
 
   void PointLists::renew(const StickSlip &friction)
   {
@@ -166,7 +155,6 @@ namespace vfife
         list.built_at = path;
       }
   }
-
 
   bool PointLists::locate(PointList &list, const unsigned int i, const double path)
   {
@@ -203,13 +191,11 @@ namespace vfife
     return false;
   }
 
-
   void PointLists::find_touching(const double look_ahead, StickSlip &friction)
   {
     for (PointList &list : lists_)
       find_touching(list, look_ahead, friction);
   }
-
 
   void PointLists::find_touching(PointList &list, const double look_ahead, StickSlip &friction)
   {
@@ -247,7 +233,6 @@ namespace vfife
     list.work += n_awake + work_of_touching * list.touching.size();
   }
 
-
   double PointLists::find_reach(const ListedPoint &point, const double look_ahead) const
   {
     // A point that is closed at either end of the step touches: half as far again as the faster of
@@ -272,7 +257,6 @@ namespace vfife
     return margin * look_ahead * std::sqrt(std::max(before.squaredNorm(), after.squaredNorm()));
   }
 
-
   std::size_t PointLists::n_points() const
   {
     std::size_t n = 0;
@@ -280,7 +264,6 @@ namespace vfife
       n += list.points.size();
     return n;
   }
-
 
   void PointLists::serialize(ByteStream &stream)
   {
@@ -304,7 +287,6 @@ namespace vfife
     if (stream.reads())
       check(stream);
   }
-
 
   void PointLists::check(const ByteStream &stream) const
   {

@@ -29,7 +29,6 @@ namespace vfife
     stiffness_.assign(areas_.size(), 1.);
   }
 
-
   double SlavePoints::largest_stiffness(const unsigned int facet) const
   {
     double largest = 0;
@@ -38,14 +37,12 @@ namespace vfife
     return largest;
   }
 
-
   void SlavePoints::vary_stiffness(const double least_width)
   {
     stiffness_.clear();
     for (unsigned int f = 0; f < surface_.n_facets(); ++f)
       stiffness_.insert(stiffness_.end(), rule_.size(), least_width / surface_.facet_width(f));
   }
-
 
   void SlavePoints::set_stiffness(const std::vector<double> &of_group_points)
   {
@@ -63,7 +60,6 @@ namespace vfife
       }
   }
 
-
   std::vector<double> SlavePoints::carried_areas() const
   {
     std::vector<double> areas = surface_.node_areas();
@@ -71,7 +67,6 @@ namespace vfife
       area *= area_factor_;
     return areas;
   }
-
 
   std::vector<double> SlavePoints::carried_areas_on(const SurfaceGeometry &master,
                                                     const double           edge_fading,

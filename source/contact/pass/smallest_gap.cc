@@ -107,7 +107,6 @@ namespace vfife
     }
   } // namespace
 
-
   ContactPoint find_smallest_gap(PassSurfaces &surfaces, const std::vector<ListedPoint> &points)
   {
     // The smallest sample of each facet, and of these the smallest few.

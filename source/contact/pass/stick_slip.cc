@@ -2,7 +2,6 @@
 #include <vfife/contact/pass/stick_slip.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <unordered_map>
 
 namespace vfife
@@ -14,7 +13,6 @@ namespace vfife
     return other;
   }
 
-
   void StickSlip::begin(const SurfaceInteraction &interaction,
                         const double              step,
                         std::vector<PointList>   &lists)
@@ -25,7 +23,6 @@ namespace vfife
       list.anchors.resize(acts_ ? list.points.size() : 0);
   }
 
-
   void StickSlip::use_restored(std::vector<PointList> &lists)
   {
     if (!acts_ || restored_.empty())
@@ -34,7 +31,6 @@ namespace vfife
       place_anchors(restored_, list);
     restored_.clear();
   }
-
 
   void StickSlip::open_anchor(PointList &list, const unsigned int point, const bool located)
   {
@@ -70,7 +66,6 @@ namespace vfife
       }
   }
 
-
   Vector3
   StickSlip::slip_way(const ListedPoint &point, const TangentBasis &basis, const double time) const
   {
@@ -97,7 +92,6 @@ namespace vfife
       }
     return way;
   }
-
 
   FrictionForce StickSlip::stick(PointList                &list,
                                  const Touch              &touch,
@@ -152,7 +146,6 @@ namespace vfife
     return friction;
   }
 
-
   void StickSlip::append_anchors(const unsigned int          pass,
                                  const PointList            &list,
                                  std::vector<AnchorOfPoint> &anchors)
@@ -167,7 +160,6 @@ namespace vfife
                            list.anchors[i]});
   }
 
-
   void StickSlip::renew_anchors(const std::vector<AnchorOfPoint> &anchors, PointList &list) const
   {
     if (!acts_)
@@ -175,7 +167,6 @@ namespace vfife
     list.anchors.assign(list.points.size(), ContactAnchor());
     place_anchors(anchors, list);
   }
-
 
   void StickSlip::place_anchors(const std::vector<AnchorOfPoint> &anchors, PointList &list) const
   {

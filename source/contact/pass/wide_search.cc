@@ -21,7 +21,6 @@ namespace vfife
     }
   } // namespace
 
-
   WideSearch::WideSearch(PassSurfaces &surfaces, const unsigned int master_group)
     : surfaces_(surfaces)
     , group_(surfaces.master.group_facets(master_group))
@@ -30,7 +29,6 @@ namespace vfife
     for (const unsigned int f : group_)
       boxes_.push_back(Box::around(current_corners(surfaces_.master, f), 0.));
   }
-
 
   bool WideSearch::find_foot(const Vector3 &x,
                              const Vector3 &slave_normal,
@@ -41,7 +39,6 @@ namespace vfife
     std::iota(all.begin(), all.end(), 0u);
     return find_foot(x, slave_normal, reach, all, foot);
   }
-
 
   bool WideSearch::find_foot(const Vector3             &x,
                              const Vector3             &slave_normal,
@@ -90,7 +87,6 @@ namespace vfife
     std::swap(near.front(), near[found]);
     return true;
   }
-
 
   void WideSearch::find_points(PointList &list, const double open_reach, const double depth_reach)
   {

@@ -58,7 +58,6 @@ namespace vfife
     }
   } // namespace
 
-
   struct BoxTree::Tree
   {
     explicit Tree(const std::vector<TreeValue> &values)
@@ -69,18 +68,14 @@ namespace vfife
     bg::index::rtree<TreeValue, bg::index::linear<16>> rtree;
   };
 
-
   BoxTree::BoxTree(const std::vector<Box> &boxes)
     : tree_(std::make_unique<Tree>(tree_values(boxes)))
   {
   }
 
-
   BoxTree::~BoxTree() = default;
 
-
   BoxTree::BoxTree(BoxTree &&) noexcept = default;
-
 
   void BoxTree::find(const Box &box, std::vector<unsigned int> &found) const
   {
@@ -91,13 +86,11 @@ namespace vfife
     std::sort(found.begin(), found.end());
   }
 
-
   bool BoxTree::overlaps(const Box &box) const
   {
     const auto &rtree = tree_->rtree;
     return rtree.qbegin(bg::index::intersects(tree_box(box))) != rtree.qend();
   }
-
 
   BroadSearch::BroadSearch(const SurfaceGeometry &slave, const SurfaceGeometry &master)
     : slave_spheres_(group_spheres(slave))
@@ -125,7 +118,6 @@ namespace vfife
       }
   }
 
-
   std::vector<BroadSearch::Sphere> BroadSearch::group_spheres(const SurfaceGeometry &surface)
   {
     std::vector<Sphere> spheres(surface.n_groups(), {Vector3::Zero(), -1.});
@@ -140,7 +132,6 @@ namespace vfife
       }
     return spheres;
   }
-
 
   std::vector<std::pair<unsigned int, unsigned int>>
   BroadSearch::find_pairs(const RigidMotion &from, const RigidMotion &to, const double margin) const
@@ -168,7 +159,6 @@ namespace vfife
       }
     return pairs;
   }
-
 
   bool BroadSearch::facets_near(const unsigned int slave_group,
                                 const unsigned int master_group,

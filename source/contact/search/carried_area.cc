@@ -47,7 +47,6 @@ namespace vfife
     }
   } // namespace
 
-
   FacetDirections find_directions(const SurfaceGeometry &slave,
                                   const SurfaceGeometry &master,
                                   const RigidMotion     &slave_to_master)
@@ -105,7 +104,6 @@ namespace vfife
     return found.along || found.across ? found : FacetDirections();
   }
 
-
   CarriedArea::CarriedArea(const std::vector<FacetQuadraturePoint> &rule, const double edge_fading)
     : edge_fading_(edge_fading)
   {
@@ -135,7 +133,6 @@ namespace vfife
       }
   }
 
-
   double CarriedArea::largest_sum(const double ratio, const bool at_border) const
   {
     // As the hat moves, the sum is piecewise linear and highest where its peak lies on a point.
@@ -163,7 +160,6 @@ namespace vfife
     return at_border ? 2. * largest : largest;
   }
 
-
   double CarriedArea::factor(const double ratio, const bool at_border) const
   {
     // Rounded up to the table. Beyond it: sum/ratio falls, as the hat becomes narrower.
@@ -173,7 +169,6 @@ namespace vfife
       return factors.back() * ratio / (n_ratios * ratio_step);
     return factors[static_cast<std::size_t>(std::max(1., place)) - 1];
   }
-
 
   std::vector<double> CarriedArea::bound(const SurfaceGeometry &slave,
                                          const SurfaceGeometry &master,

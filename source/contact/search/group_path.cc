@@ -15,7 +15,6 @@ namespace vfife
   {
   }
 
-
   void GroupPath::set_active(const std::vector<unsigned int> &groups)
   {
     // Positions of groups that are no longer followed are out of date when they come back.
@@ -27,7 +26,6 @@ namespace vfife
         previous_[g].clear();
     active_ = groups;
   }
-
 
   void GroupPath::update(const SurfaceGeometry &surface, const RigidMotion &frame)
   {
@@ -64,7 +62,6 @@ namespace vfife
           lengths_[g] += std::sqrt(largest);
       }
   }
-
 
   void GroupPath::serialize(ByteStream &stream)
   {

@@ -133,7 +133,6 @@ namespace vfife
     }
   } // namespace
 
-
   bool project_on_facet(const FacetState  &facet,
                         const unsigned int border_sides,
                         const Vector3     &x,
@@ -156,7 +155,6 @@ namespace vfife
     // A point that is driven against the clamp lies far outside: that is an answer too.
     return !is_inside(border_sides, p);
   }
-
 
   bool project_walking(SurfaceGeometry &master, const Vector3 &x, Projection &p)
   {
@@ -189,7 +187,6 @@ namespace vfife
       }
     return !is_inside(master.border_sides(p.facet), p);
   }
-
 
   double clamped_distance(const FacetState &facet, const Vector3 &x, const Projection &p)
   {

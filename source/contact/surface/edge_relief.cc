@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/contact/surface/edge_relief.h>
-#include <vfife/contact/surface/edge_sides.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +51,6 @@ namespace vfife
       return std::sqrt(least);
     }
   } // namespace
-
 
   EdgeRelief::EdgeRelief(const FacetSurface &surface, const ContactOptions &options)
   {

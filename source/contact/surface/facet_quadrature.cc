@@ -25,7 +25,6 @@ namespace vfife
     }
   } // namespace
 
-
   void
   gauss_legendre(const unsigned int n, std::vector<double> &points, std::vector<double> &weights)
   {
@@ -47,7 +46,6 @@ namespace vfife
       }
   }
 
-
   std::vector<double> gauss_lobatto_points(const unsigned int n)
   {
     if (n < 2)
@@ -68,7 +66,6 @@ namespace vfife
       }
     return points;
   }
-
 
   std::vector<FacetQuadraturePoint> facet_quadrature(const ContactDiscretization discretization,
                                                      const unsigned int          points_per_facet)
@@ -92,7 +89,6 @@ namespace vfife
           {points[i], points[j], weights[i] * weights[j], bilinear_weights(points[i], points[j])});
     return rule;
   }
-
 
   OffsetPolynomials::OffsetPolynomials(const unsigned int n, const std::vector<double> &offsets)
     : n_(n)

@@ -91,7 +91,6 @@ namespace vfife
     }
   } // namespace
 
-
   FacetSurface with_smooth_patches(FacetSurface surface)
   {
     const std::vector<double> points = gauss_lobatto_points(points_per_direction);

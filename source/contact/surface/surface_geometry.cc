@@ -21,7 +21,6 @@ namespace vfife
   {
   }
 
-
   SurfaceGeometry::SurfaceGeometry(const FacetSurface &surface,
                                    const bool          curved,
                                    EdgeRelief          relief)
@@ -56,7 +55,6 @@ namespace vfife
     node_stamps_.assign(n_nodes(), 0);
   }
 
-
   const FacetSurface &SurfaceGeometry::checked(const FacetSurface &surface)
   {
     const std::string name = "surface \"" + surface.name + "\": ";
@@ -79,7 +77,6 @@ namespace vfife
         throw InputError(name + "a facet refers to a group that does not exist");
     return surface;
   }
-
 
   void SurfaceGeometry::collect_groups(const FacetSurface &surface)
   {
@@ -114,7 +111,6 @@ namespace vfife
       }
   }
 
-
   void SurfaceGeometry::connect(const FacetSurface &surface)
   {
     crossings_.resize(n_facets());
@@ -144,7 +140,6 @@ namespace vfife
         }
   }
 
-
   double
   SurfaceGeometry::area_element(const unsigned int facet, const double xi, const double eta) const
   {
@@ -156,14 +151,12 @@ namespace vfife
     return y_xi.cross(y_eta).norm();
   }
 
-
   double SurfaceGeometry::facet_width(const unsigned int facet) const
   {
     const auto &k = facets_[facet];
     return vfife::facet_width(
       {{reference_[k[0]], reference_[k[1]], reference_[k[2]], reference_[k[3]]}});
   }
-
 
   std::array<double, 4> SurfaceGeometry::corner_areas(const unsigned int facet) const
   {
@@ -173,7 +166,6 @@ namespace vfife
       integrate_areas({{reference_[k[0]], reference_[k[1]], reference_[k[2]], reference_[k[3]]}});
     return {{areas[0], areas[1], areas[3], areas[2]}};
   }
-
 
   void SurfaceGeometry::compute_areas()
   {
@@ -193,7 +185,6 @@ namespace vfife
     if (!(mean_facet_size_ > 0.))
       throw InputError("a contact surface has no area");
   }
-
 
   void SurfaceGeometry::compute_true_normals(const FacetSurface &surface)
   {
@@ -216,13 +207,11 @@ namespace vfife
       }
   }
 
-
   void SurfaceGeometry::bind(const SurfaceMotion &motion)
   {
     motion_ = motion;
     ++stamp_;
   }
-
 
   const Vector3 &SurfaceGeometry::node_normal(const unsigned int n)
   {
@@ -238,7 +227,6 @@ namespace vfife
       }
     return node_normals_[n];
   }
-
 
   void SurfaceGeometry::prepare(const unsigned int facet)
   {

@@ -21,13 +21,11 @@ namespace vfife
     }
   } // namespace
 
-
   StandingPattern::StandingPattern(const Model &model, const Communicator &communicator)
     : model_(model)
     , communicator_(communicator)
   {
   }
-
 
   void StandingPattern::update(const State &state)
   {
@@ -75,7 +73,6 @@ namespace vfife
       }
   }
 
-
   void StandingPattern::add_turn(const State       &state,
                                  const unsigned int b,
                                  const double       rate,
@@ -95,13 +92,11 @@ namespace vfife
       nodes_.push_back({i, rate * arm(i), acceleration * arm(i)});
   }
 
-
   void StandingPattern::add_forces(const std::vector<double> &masses, NodeField &forces) const
   {
     for (const Node &node : nodes_)
       forces.add(node.local, -masses[node.local] * node.acceleration);
   }
-
 
   void StandingPattern::add_velocities(NodeField &velocities) const
   {

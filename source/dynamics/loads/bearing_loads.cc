@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/counted_angle.h>
 #include <vfife/base/process/communicator.h>
+#include <vfife/base/types.h>
 #include <vfife/dynamics/loads/bearing_loads.h>
 #include <vfife/model/constraints/supports.h>
 #include <vfife/model/load_shares.h>

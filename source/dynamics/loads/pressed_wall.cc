@@ -2,7 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/text/byte_stream.h>
-#include <vfife/contact/law/facet_penalty.h>
+#include <vfife/contact/law/penalty_options.h>
 #include <vfife/contact/surface/facet_integrals.h>
 #include <vfife/dynamics/loads/pressed_wall.h>
 #include <vfife/model/load_shares.h>

@@ -58,14 +58,12 @@ namespace vfife
         }
     }
 
-
     /** The node that stands in a lane after load_nodes(). */
     template <unsigned int N>
     constexpr unsigned int update_lane_node(const unsigned int lane)
     {
       return N == 8 ? (lane & 4) + 2 * (lane & 1) + (lane >> 1 & 1) : lane;
     }
-
 
     /** The inverse of load_nodes(). */
     template <unsigned int N>
@@ -105,7 +103,6 @@ namespace vfife
         }
     }
 
-
     /** offset + omega x x. */
     template <unsigned int N>
     VFIFE_INLINE void rigid_field(const double *offset,
@@ -120,13 +117,11 @@ namespace vfife
         }
     }
 
-
     template <unsigned int N>
     VFIFE_INLINE Vec<double, N> product(const Vec<double, N> *a, const Vec<double, N> *b)
     {
       return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     }
-
 
     /** Sums of the new state; x and v new, m zero where the node does not count. */
     template <unsigned int N, bool use_axis>
@@ -155,7 +150,6 @@ namespace vfife
             sums[sum_of_second_moment + 3 + i] += m * x[i] * x[j];
           }
     }
-
 
     /** What NodalMotion sums: x and v before the update, v after it, e = direction x (x - point).
      */
@@ -192,7 +186,6 @@ namespace vfife
       sums[sum_of_speed] += m * V::load(speed);
       sums[sum_of_turning_mass] += m * V::load(turns);
     }
-
 
     /** One step of N nodes from @p node on: update, store, and what the sums want of both states.
      */
@@ -250,7 +243,6 @@ namespace vfife
       add_moments<N, use_axis>(coefficients, m, x_new, v_new, sums);
     }
 
-
     /** As many blocks of N nodes as there are; returns the first node left over. */
     template <unsigned int N, bool use_axis, bool measures>
     VFIFE_INLINE std::size_t update_blocks(const UpdateCoefficients &coefficients,
@@ -275,7 +267,6 @@ namespace vfife
       return node;
     }
 
-
     /** Blocks as wide as the registers, then the nodes left over one by one. */
     template <bool use_axis, bool measures>
     VFIFE_INLINE void update_all(const UpdateCoefficients &coefficients,
@@ -289,7 +280,6 @@ namespace vfife
       update_blocks<1, use_axis, measures>(coefficients, rest, last, records, sums);
     }
 
-
     /** update_all() with the sums that are asked for. */
     template <bool use_axis, typename... Arguments>
     VFIFE_INLINE void update_for(const UpdateCoefficients &coefficients, Arguments... arguments)
@@ -299,7 +289,6 @@ namespace vfife
       else
         update_all<use_axis, false>(coefficients, arguments...);
     }
-
 
     UpdateFunction update_kernel;
 

@@ -58,7 +58,6 @@ namespace vfife
     }
   } // namespace
 
-
   void scale_masses(const DynamicsOptions &options, Model &model, Log &log)
   {
     if (!(options.mass_scaling_step > 0))

@@ -61,7 +61,6 @@ namespace vfife
     }
   } // namespace
 
-
   namespace
   {
     /** A = M^-1/2 K M^-1/2 for vectors that nodes hold, and their scalar product over all ranks. */
@@ -146,7 +145,6 @@ namespace vfife
     }
   } // namespace
 
-
   AssembledFrequency bound_largest_frequency(const Model        &model,
                                              VfifeOperator      &vfife,
                                              const Communicator &communicator)
@@ -191,7 +189,6 @@ namespace vfife
                                 vfife.limiting_element().frequency);
     return result;
   }
-
 
   double find_element_step(const Model        &model,
                            const StepBound     bound,

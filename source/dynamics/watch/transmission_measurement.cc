@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/counted_angle.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/text/byte_stream.h>
+#include <vfife/base/types.h>
 #include <vfife/dynamics/watch/transmission_measurement.h>
 #include <vfife/model/pair_measures.h>
 

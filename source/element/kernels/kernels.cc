@@ -69,7 +69,6 @@ namespace vfife
     }
   } // namespace
 
-
   const char *name_of(const InstructionSet instruction_set)
   {
     switch (instruction_set)
@@ -85,12 +84,10 @@ namespace vfife
       }
   }
 
-
   bool is_available(const InstructionSet instruction_set)
   {
     return kernels_of(instruction_set) != nullptr && processor_runs(instruction_set);
   }
-
 
   InstructionSet best_instruction_set()
   {
@@ -116,7 +113,6 @@ namespace vfife
                        std::string(wanted) + "'.");
     return InstructionSet::generic;
   }
-
 
   const ElementKernels &select_kernels(const FrameKind frame, const InstructionSet instruction_set)
   {

@@ -27,7 +27,6 @@ namespace vfife
         add_hourglass_product<row + 1, row + 1, entry + 1>(constants, q, out);
     }
 
-
     /** Sums sum_a h_k(a) d(a) of one component of d over the nodes, k = 0..3. */
     VFIFE_INLINE void compute_hourglass_sums(const V (&d)[8][3], const unsigned int i, V *sums)
     {
@@ -41,7 +40,6 @@ namespace vfife
       sums[2] = (dif10 - dif00) + (dif11 - dif01);
       sums[3] = (dif11 - dif01) - (dif10 - dif00);
     }
-
 
     /** out(a) = sum_k h_k(a) p_k of one component. */
     VFIFE_INLINE void spread_hourglass(const V &p0, const V &p1, const V &p2, const V &p3, V *out)
@@ -59,7 +57,6 @@ namespace vfife
       out[6] = p0 - odd11;
       out[7] = p0 + odd11;
     }
-
 
     /**
      * Axial vector t of the stress that the turning of the polar frame adds, so that the force is
@@ -91,7 +88,6 @@ namespace vfife
       t[2]          = scale * (czx * moment[0] + cyz * moment[1] + czz * moment[2]);
     }
 
-
     /** Least det(dx/dxi) of the corners: an eighth of the triple product of the edges there. */
     VFIFE_INLINE V compute_least_corner(const V (&d)[8][3])
     {
@@ -113,7 +109,6 @@ namespace vfife
       return .125 * least;
     }
 
-
     /** Mean deformation gradient F from the positions @p d relative to node 0. */
     template <typename Constants>
     VFIFE_INLINE void
@@ -134,7 +129,6 @@ namespace vfife
           }
     }
 
-
     /** Hourglass amplitudes @p g in the axes of space: sum_a h_k(a) d(a) less their linear part. */
     template <typename Constants>
     VFIFE_INLINE void compute_hourglass_amplitudes(const Constants &constants,
@@ -152,7 +146,6 @@ namespace vfife
         }
     }
 
-
     /** Volume times the mean stress in the frame, xx, yy, zz, xy, yz, zx, from the strain there. */
     template <typename Constants>
     VFIFE_INLINE void
@@ -163,7 +156,6 @@ namespace vfife
       for (unsigned int i = 0; i < 6; ++i)
         stress[i] = two_mu * strain[i] + (i < 3 ? pressure : V(0.));
     }
-
 
     /**
      * Forces @p f of the nodes in the axes of space: p_k = R (H q)_k, and P = R local less what the
@@ -198,7 +190,6 @@ namespace vfife
           f[0][i] = -sum;
         }
     }
-
 
     /**
      * Forces f = dW/dx of the nodes (in place of the positions @p d relative to node 0), returns
@@ -273,7 +264,6 @@ namespace vfife
       return twice_energy;
     }
 
-
     template <FrameKind frame_kind, bool measures, typename Constants>
     VFIFE_INLINE void add_lanes(const Constants     &constants,
                                 const std::uint32_t *nodes,
@@ -302,7 +292,6 @@ namespace vfife
       if constexpr (measures)
         (0.5 * twice_energy).store(energies);
     }
-
 
     template <FrameKind frame_kind, bool measures>
     VFIFE_INLINE void add_packs(const ElementPacks &packs,
@@ -336,7 +325,6 @@ namespace vfife
           }
     }
 
-
     template <FrameKind frame_kind>
     void add_internal_forces(const ElementPacks &packs,
                              const std::size_t   first,
@@ -346,7 +334,6 @@ namespace vfife
     {
       add_packs<frame_kind, false>(packs, first, last, positions, forces, nullptr, nullptr);
     }
-
 
     template <FrameKind frame_kind>
     void measure_internal_forces(const ElementPacks &packs,
@@ -359,7 +346,6 @@ namespace vfife
     {
       add_packs<frame_kind, true>(packs, first, last, positions, forces, energies, jacobians);
     }
-
 
     /** In the order of FrameKind. */
     extern const ElementKernels element_kernels[n_frame_kinds];

@@ -62,7 +62,6 @@ namespace vfife
         }
     }
 
-
     /** Replaces what the series gave by the exact rotation and strain, lane by lane. */
     template <unsigned int N>
     __attribute__((noinline)) void compute_exact_polar_frame(const Vec<double, N> (&F)[3][3],
@@ -97,7 +96,6 @@ namespace vfife
       for (unsigned int i = 0; i < 6; ++i)
         frame.strain[i] = Vec<double, N>::load(strain_lanes[i]);
     }
-
 
     /**
      * F = R U with E = (F^T F - I) / 2: U^-1 = (I + 2 E)^-1/2 by its series to the eighth power.
@@ -182,7 +180,6 @@ namespace vfife
       return frame;
     }
 
-
     template <unsigned int N>
     VFIFE_INLINE Vec<double, N> inverse_square_root(const Vec<double, N> &value)
     {
@@ -193,7 +190,6 @@ namespace vfife
         lane[l] = lane[l] > 0. ? 1. / __builtin_sqrt(lane[l]) : 0.;
       return Vec<double, N>::load(lane);
     }
-
 
     /**
      * Rotation between the triads of nodes a, b, d, given the sides a-b and a-d [mm] and the triad

@@ -77,7 +77,6 @@ namespace vfife
         }
     }
 
-
     /** One lane after the other, since lanes may share a node. */
     template <unsigned int N>
     VFIFE_INLINE void subtract_from_records(double              *records,

@@ -1,13 +1,14 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include "phasor_rows.h"
 
 #include <vfife/base/errors.h>
+#include <vfife/base/types.h>
 #include <vfife/fem/cyclic/cyclic_harmonic.h>
 #include <vfife/fem/solvers/direct_solver.h>
 #include <vfife/fem/solvers/sparse_matrix.h>
 #include <vfife/fem/system/turn_pins.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,36 @@ namespace vfife
 {
   namespace
   {
+    using PhasorRows = Eigen::SparseMatrix<Complex, Eigen::RowMajor>;
+
+    /** What the rows read of a harmonic's unknowns: phasors. The real part, transposed, are unit
+     * forces along the rows, the same in all sectors but for the phase. */
+    PhasorRows make_phasor_rows(const FemSystem              &system,
+                                const unsigned int            harmonic,
+                                const std::vector<SectorRow> &rows)
+    {
+      const FemConstraints                &constraints = system.constraints();
+      const std::size_t                    copy        = 3 * std::size_t(system.space().n_points());
+      const double                         angle       = harmonic * system.space().sector_angle();
+      std::vector<Eigen::Triplet<Complex>> entries;
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        for (const SectorTerm &term : rows[i])
+          for (unsigned int part = 0; part < constraints.n_copies(); ++part)
+            {
+              const Complex phase =
+                std::polar(1., term.sector * angle) * (part == 0 ? Complex(1.) : Complex(0., 1.));
+              for (unsigned int c = 0; c < 3; ++c)
+                {
+                  const std::size_t row = part * copy + 3 * std::size_t(term.point) + c;
+                  for (const auto &[unknown, coefficient] : constraints.line(row))
+                    entries.emplace_back(i, unknown, phase * (term.weight[c] * coefficient));
+                }
+            }
+      PhasorRows matrix(rows.size(), constraints.n());
+      matrix.setFromTriplets(entries.begin(), entries.end());
+      return matrix;
+    }
+
     FemConstraints::Options options_of(const unsigned int harmonic, const HubRotation rotation)
     {
       FemConstraints::Options options;

@@ -4,7 +4,6 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/bearing/mean_motion.h>
 #include <vfife/model/constraints/held_direction.h>
-#include <vfife/model/load_shares.h>
 
 #include <map>
 #include <set>

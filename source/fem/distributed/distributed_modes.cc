@@ -54,22 +54,6 @@ namespace vfife
 
   struct DistributedModes::Parts
   {
-    Parts(const Model        &all,
-          const unsigned int  number,
-          const FemOptions   &fem,
-          const Communicator &ranks)
-      : model(all)
-      , body(number)
-      , options(fem)
-      , communicator(ranks)
-      , nodes(all, {number}, FemElement::full)
-      , describer(nodes, nodes.parts()[0])
-      , space(all.bodies[number], fem, ranks)
-      , supports(all, number, space.level())
-      , elastic(space, supports, fem.mass)
-    {
-    }
-
     EigenPairs find_pairs(const ColumnOperator &mass, double shift);
     /** By mode, the part of its kinetic energy in rigid motions that nothing opposes. */
     std::vector<double> find_rigid_shares(const ColumnOperator          &mass,
@@ -82,16 +66,16 @@ namespace vfife
     /** Displacements of the body's nodes, scaled to one as the shape that is kept. */
     std::vector<double> add_shape(const OwnedVector &q);
 
-    const Model                   &model;
-    unsigned int                   body;
-    FemOptions                     options;
-    const Communicator            &communicator;
-    FemSpace                       nodes; ///< the body's own elements
-    ModeDescriber                  describer;
-    DistributedSpace               space;
-    DistributedSupports            supports;
-    ElasticOperator                elastic;
-    std::vector<DistributedVector> shapes;
+    const Model        &model;
+    unsigned int        body;
+    FemOptions          options;
+    const Communicator &communicator;
+    FemSpace            nodes{model, {body}, FemElement::full}; ///< the body's own elements
+    ModeDescriber       describer{nodes, nodes.parts()[0]};
+    DistributedSpace    space{model.bodies[body], options, communicator};
+    DistributedSupports supports{model, body, space.level()};
+    ElasticOperator     elastic{space, supports, options.mass};
+    std::vector<DistributedVector> shapes       = {};
     unsigned int                   n_iterations = 0;
   };
 
@@ -101,7 +85,7 @@ namespace vfife
                                      const Communicator &communicator)
   {
     check_refinements(model, read_local_refinements(options.local_refinement));
-    parts_ = std::make_unique<Parts>(model, body, options, communicator);
+    parts_.reset(new Parts{model, body, options, communicator});
   }
 
   DistributedModes::~DistributedModes() = default;

@@ -17,21 +17,6 @@ namespace vfife
 {
   struct DistributedStatics::Parts
   {
-    Parts(const Model        &all,
-          const unsigned int  number,
-          const FemOptions   &fem,
-          const Communicator &ranks)
-      : model(all)
-      , body(number)
-      , options(fem)
-      , communicator(ranks)
-      , space(all.bodies[number], fem, ranks)
-      , supports(all, number, space.level())
-      , stiffness(space, supports, MassKind::consistent)
-      , inverse(stiffness, space, all, number, supports.lines(), MassKind::consistent, 0.)
-    {
-    }
-
     double factor_of(const ParameterHistory &history, const StaticLoads &loads) const
     {
       return loads.time ? history.value(*loads.time) : loads.part_of_loads;
@@ -45,11 +30,11 @@ namespace vfife
     unsigned int        body;
     FemOptions          options;
     const Communicator &communicator;
-    DistributedSpace    space;
-    DistributedSupports supports;
-    ElasticOperator     stiffness;
-    TwoLevels           inverse;
-    DistributedVector   displacements;
+    DistributedSpace    space{model.bodies[body], options, communicator};
+    DistributedSupports supports{model, body, space.level()};
+    ElasticOperator     stiffness{space, supports, MassKind::consistent};
+    TwoLevels inverse{stiffness, space, model, body, supports.lines(), MassKind::consistent, 0.};
+    DistributedVector displacements = {};
   };
 
   DistributedStatics::DistributedStatics(const Model        &model,
@@ -61,7 +46,7 @@ namespace vfife
     const FemSpace nodes(model, {body}, FemElement::full);
     refuse_free_motions(model.bodies[body], find_free_motions(nodes, nodes.parts()[0]).size());
     check_refinements(model, read_local_refinements(options.local_refinement));
-    parts_ = std::make_unique<Parts>(model, body, options, communicator);
+    parts_.reset(new Parts{model, body, options, communicator});
   }
 
   DistributedStatics::~DistributedStatics() = default;

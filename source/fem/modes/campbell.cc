@@ -56,18 +56,17 @@ namespace vfife
 
   Table make_mode_table()
   {
-    Table table;
-    table.add_text_column("body");
-    table.add_column(column::speed, "rpm");
-    table.add_column("mode", "-");
-    table.add_column(column::frequency, "Hz");
-    table.add_column("residual", "-");
-    table.add_column("nodal diameter", "-");
-    table.add_column("nodal circles", "-");
-    table.add_column("share of the diameter", "-");
-    table.add_text_column(column::direction);
-    table.add_column("fixed frequency", "Hz");
-    table.add_text_column("whirl");
+    Table table{{"body"},
+                {column::speed, "rpm"},
+                {"mode", "-"},
+                {column::frequency, "Hz"},
+                {"residual", "-"},
+                {"nodal diameter", "-"},
+                {"nodal circles", "-"},
+                {"share of the diameter", "-"},
+                {column::direction},
+                {"fixed frequency", "Hz"},
+                {"whirl"}};
     for (const char *part : {"axial", "radial", "tangential"})
       table.add_column(part, "-");
     for (const char *axis : {"x", "y", "z"})
@@ -175,15 +174,13 @@ namespace vfife
 
   Table make_campbell_table()
   {
-    Table table;
-    table.add_text_column("body");
-    table.add_column("nodal diameter", "-");
-    table.add_column("order", "-");
-    table.add_text_column(column::direction);
-    table.add_column(column::speed, "rpm");
-    table.add_column(column::frequency, "Hz");
-    table.add_column("fixed frequency", "Hz");
-    return table;
+    return {{"body"},
+            {"nodal diameter", "-"},
+            {"order", "-"},
+            {column::direction},
+            {column::speed, "rpm"},
+            {column::frequency, "Hz"},
+            {"fixed frequency", "Hz"}};
   }
 
   void
@@ -205,17 +202,15 @@ namespace vfife
 
   Table make_resonance_table()
   {
-    Table table;
-    table.add_text_column("body");
-    table.add_column("nodal diameter", "-");
-    table.add_column("order", "-");
-    table.add_text_column("excitation");
-    table.add_text_column("wave");
-    table.add_column("mesh order", "-");
-    table.add_column(column::speed, "rpm");
-    table.add_column(column::frequency, "Hz");
-    table.add_column("pinion speed", "rpm");
-    return table;
+    return {{"body"},
+            {"nodal diameter", "-"},
+            {"order", "-"},
+            {"excitation"},
+            {"wave"},
+            {"mesh order", "-"},
+            {column::speed, "rpm"},
+            {column::frequency, "Hz"},
+            {"pinion speed", "rpm"}};
   }
 
   void add_resonances(const std::string                 &body,

@@ -1,5 +1,4 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/complex.h>
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/types.h>

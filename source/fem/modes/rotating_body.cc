@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
-#include <vfife/base/types.h>
 #include <vfife/fem/modes/gyroscopic_modes.h>
 #include <vfife/fem/modes/rotating_body.h>
 #include <vfife/fem/solvers/direct_solver.h>

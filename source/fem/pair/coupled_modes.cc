@@ -342,14 +342,13 @@ namespace vfife
 
   Table make_coupled_mode_table()
   {
-    Table table;
-    table.add_text_column(column::axes);
-    table.add_column("mode", "-");
-    table.add_column(column::frequency, "Hz");
-    table.add_column(column::share_of_static_rotation, "-");
-    table.add_column("energy in the gear", "-");
-    table.add_column("nodal diameter of the gear", "-");
-    table.add_column("share of the diameter", "-");
+    Table table{{column::axes},
+                {"mode", "-"},
+                {column::frequency, "Hz"},
+                {column::share_of_static_rotation, "-"},
+                {"energy in the gear", "-"},
+                {"nodal diameter of the gear", "-"},
+                {"share of the diameter", "-"}};
     for (const char *part : {"axial", "radial", "tangential"})
       table.add_column(part, "-");
     return table;

@@ -116,7 +116,6 @@ namespace vfife
     }
   } // namespace
 
-
   bool
   find_in_quadrilateral(const std::array<Vector2, 4> &corners, const Vector2 &target, Vector2 &xi)
   {
@@ -139,7 +138,6 @@ namespace vfife
       }
     return xi.minCoeff() >= -side_tolerance && xi.maxCoeff() <= 1. + side_tolerance;
   }
-
 
   std::vector<FacingPoint> find_facing_points(const FacingSurfaces                    &surfaces,
                                               const std::vector<FacetQuadraturePoint> &rule,
@@ -165,7 +163,6 @@ namespace vfife
     return points;
   }
 
-
   double find_least_gap(const FacingSurfaces &surfaces)
   {
     double least = std::numeric_limits<double>::infinity();
@@ -173,7 +170,6 @@ namespace vfife
       least = std::min(least, cell.gap);
     return least;
   }
-
 
   ContactPlane place_contact_plane(const FacingSurfaces &surfaces, const unsigned int n)
   {
@@ -213,7 +209,6 @@ namespace vfife
                           2. / n * std::sqrt(3. * (ways.eigenvalues()[1] + strip)));
     return plane;
   }
-
 
   std::vector<ContactCell> find_contact_cells(const FacingSurfaces &surfaces,
                                               const ContactPlane   &plane)

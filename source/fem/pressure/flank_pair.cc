@@ -1,5 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/contact/surface/edge_sides.h>
+#include <vfife/base/facet_surface.h>
 #include <vfife/fem/pressure/flank_pair.h>
 #include <vfife/fem/statics/compliance.h>
 #include <vfife/mesh/body_mesh.h>

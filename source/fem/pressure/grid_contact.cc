@@ -60,19 +60,16 @@ namespace vfife
     constexpr double most_stretch = 8.;
   } // namespace
 
-
   std::size_t GridPressure::largest() const
   {
     return std::max_element(pressures.begin(), pressures.end()) - pressures.begin();
   }
-
 
   double GridPressure::force_of(const std::size_t cell) const
   {
     // The surface is inclined against the plane: the cell's area on it is larger.
     return pressures[cell] * plane.sides.prod() / cells[cell].normal.dot(plane.normal);
   }
-
 
   GridOfContact::GridOfContact(const ElasticContact &contact_,
                                const ContactPlane   &plane_,
@@ -91,7 +88,6 @@ namespace vfife
       numbers[cells[i].place] = i;
     take(n);
   }
-
 
   void GridOfContact::take(const std::size_t n)
   {
@@ -121,7 +117,6 @@ namespace vfife
     flexibility = compute_cell_flexibility(places, plane.sides, bodies);
   }
 
-
   bool GridOfContact::extend(const Eigen::VectorXd &forces)
   {
     const std::size_t before = n_taken;
@@ -144,7 +139,6 @@ namespace vfife
       take(n);
     return n > before;
   }
-
 
   GridPressure GridOfContact::evaluate(const Eigen::VectorXd &forces, const ContactLoad &load) const
   {
@@ -182,7 +176,6 @@ namespace vfife
     return found;
   }
 
-
   ContactPlane GridOfContact::refine(const GridPressure &found, const unsigned int n) const
   {
     // Along the longer way of what carries; for its curvature the plane is where the most is.
@@ -217,7 +210,6 @@ namespace vfife
     finer.sides          = Vector2(stretch, 1.) * (found.width / n);
     return finer;
   }
-
 
   namespace
   {
@@ -349,7 +341,6 @@ namespace vfife
         }
     }
   } // namespace
-
 
   std::vector<GridPressure> find_grid_pressures(const std::vector<ElasticContact> &contacts,
                                                 const ContactLoad                 &load,

@@ -292,7 +292,6 @@ namespace vfife
     };
   } // namespace
 
-
   void LayerElements::continue_beyond(const PointPairs                &edges,
                                       const std::vector<unsigned int> &of_surface,
                                       const double                     length)
@@ -316,7 +315,6 @@ namespace vfife
           }
       }
   }
-
 
   Eigen::MatrixXd LayerElements::find_flexibility(const std::vector<PointWeights> &means,
                                                   const Material                  &material,

@@ -184,12 +184,10 @@ namespace vfife
     }
   } // namespace
 
-
   double NearLayer::mean_depth() const
   {
     return mean_of(depths);
   }
-
 
   NearLayer find_near_layer(const FemSpace                  &space,
                             std::vector<unsigned int>        patch,

@@ -67,14 +67,12 @@ namespace vfife
     }
   } // namespace
 
-
   PenaltyCalibration::PenaltyCalibration(const ContactPair &pair)
     : pair_(pair)
     , penalty_(pair.options.penalty.value)
     , rule_(facet_quadrature(pair.options.discretization, pair.options.points_per_facet.number))
   {
   }
-
 
   void PenaltyCalibration::add(const std::vector<ElasticContact> &contacts,
                                const ContactLoad                 &load,
@@ -159,7 +157,6 @@ namespace vfife
       }
   }
 
-
   Eigen::VectorXd PenaltyCalibration::Touch::press(const Eigen::VectorXd &penalties)
   {
     // h = -(gaps + flexibility f) and f = penalty area h, for the points with h > 0.
@@ -199,7 +196,6 @@ namespace vfife
     return forces;
   }
 
-
   double PenaltyCalibration::Touch::find_factor(const Eigen::VectorXd &penalties)
   {
     // The moment grows with the penalty.
@@ -233,7 +229,6 @@ namespace vfife
     return std::exp(.5 * (ends.first + ends.second));
   }
 
-
   std::vector<double> PenaltyCalibration::spread(const std::vector<double>          &levels,
                                                  const std::vector<Eigen::VectorXd> &forces) const
   {
@@ -265,7 +260,6 @@ namespace vfife
       }
     return values;
   }
-
 
   PointPenalties PenaltyCalibration::find(const double lag)
   {

@@ -6,12 +6,10 @@
 #include <vfife/fem/statics/static_solver.h>
 #include <vfife/fem/system/load_forces.h>
 #include <vfife/fem/system/rigid_motions.h>
-#include <vfife/fem/system/spin_state.h>
 #include <vfife/fem/system/turn_pins.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace vfife
 {

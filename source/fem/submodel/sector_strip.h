@@ -2,7 +2,6 @@
 #ifndef vfife_fem_submodel_sector_strip_h
 #define vfife_fem_submodel_sector_strip_h
 
-#include <vfife/fem/submodel/point_reading.h>
 #include <vfife/fem/submodel/submodel_part.h>
 #include <vfife/fem/system/fem_space.h>
 

@@ -5,9 +5,7 @@
 #include <vfife/base/parameters/parameter_grid.h>
 #include <vfife/base/parameters/parameter_table.h>
 #include <vfife/base/parameters/parameters.h>
-#include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/text/number_text.h>
-#include <vfife/base/text/tooth_number.h>
 #include <vfife/gear/errors/member_error_options.h>
 
 #include <algorithm>
@@ -24,20 +22,6 @@ namespace vfife
      * in their protocols [um]. */
     constexpr double closing_error = 0.1;
 
-    /** The reader's message under the name of the entry. */
-    template <typename Read>
-    auto read_entry(const std::string &entry, const Read &read)
-    {
-      try
-        {
-          return read();
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(entry, error.what());
-        }
-    }
-
     void refuse_number(const std::size_t numbers, const unsigned int teeth)
     {
       std::ostringstream message;
@@ -53,14 +37,8 @@ namespace vfife
       for (std::string word; std::getline(stream, word, ',');)
         {
           std::string rest;
-          try
-            {
-              numbers.push_back(read_number(word, rest));
-            }
-          catch (const InputError &error)
-            {
-              throw InputError("of tooth " + std::to_string(numbers.size()) + ": " + error.what());
-            }
+          for_place("of tooth " + std::to_string(numbers.size()),
+                    [&] { numbers.push_back(read_number(word, rest)); });
           if (!rest.empty())
             throw InputError("of tooth " + std::to_string(numbers.size() - 1) +
                              ": expected a number, got \"" + trimmed(word) + "\"");
@@ -201,14 +179,14 @@ namespace vfife
         "expected a pitch table or single pitch deviations, got both. Remove one of them");
     std::vector<double> deviations; // [um]
     if (!pitch_list.empty())
-      deviations = read_entry(list_entry, [&]() {
+      deviations = for_entry(list_entry, [&]() {
         const std::vector<double> single = parse_list(pitch_list);
         if (single.size() != teeth)
           refuse_number(single.size(), teeth);
         return accumulate(single);
       });
     if (!pitch_table.empty())
-      deviations = read_entry(table_entry, [&]() { return read_pitch_table(pitch_table, teeth); });
+      deviations = for_entry(table_entry, [&]() { return read_pitch_table(pitch_table, teeth); });
     for (double &deviation : deviations)
       deviation *= micrometre;
     if (pitch_amplitude != 0.)
@@ -233,7 +211,7 @@ namespace vfife
     if (topography.empty())
       return {};
     // protocols have the tip above
-    return read_entry(section + "/topography", [&]() -> Eigen::MatrixXd {
+    return for_entry(section + "/topography", [&]() -> Eigen::MatrixXd {
       return micrometre * read_deviation_grid(topography).colwise().reverse();
     });
   }
@@ -243,8 +221,8 @@ namespace vfife
   {
     std::vector<bool> chosen(teeth, topography_teeth.empty());
     for (const std::string &name : topography_teeth)
-      read_entry(section + "/topography teeth",
-                 [&]() { chosen[read_tooth_number(name, teeth)] = true; });
+      for_entry(section + "/topography teeth",
+                [&]() { chosen[read_tooth_number(name, teeth)] = true; });
     if (topography.empty() && !topography_teeth.empty())
       throw InputError(section + "/topography teeth",
                        "expected a topography for these teeth, got none");

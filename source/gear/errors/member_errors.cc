@@ -3,7 +3,6 @@
 #include <vfife/base/text/number_text.h>
 #include <vfife/gear/errors/member_errors.h>
 
-#include <array>
 #include <cmath>
 #include <utility>
 

@@ -83,9 +83,7 @@ namespace vfife
                                const unsigned int   tooth,
                                const MeasuringGrid &grid)
   {
-    Table table;
-    table.add_column("row", "-");
-    table.add_column("column", "-");
+    Table table{{"row", "-"}, {"column", "-"}};
     for (const char *name : {"L", "h", "x", "y", "z"})
       table.add_column(name, "mm");
     for (const char *name : {"normal x", "normal y", "normal z"})

@@ -52,9 +52,7 @@ namespace vfife
 
   Table fit_table(const SettingsFitResult &found)
   {
-    Table table;
-    table.add_column("before", "um");
-    table.add_column("after", "um");
+    Table table{{"before", "um"}, {"after", "um"}};
     for (std::size_t i = 0; i < found.before.size(); ++i)
       table.add_row({found.before[i] / micrometre, found.after[i] / micrometre});
     return table;

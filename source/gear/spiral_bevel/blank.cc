@@ -1,6 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
-#include <vfife/base/parameters/parameters.h>
 #include <vfife/gear/findings.h>
 #include <vfife/gear/spiral_bevel/blank.h>
 

@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/gear/spiral_bevel/gear_pair.h>
-#include <vfife/gear/spiral_bevel/mean_contact.h>
 
 #include <algorithm>
 #include <cmath>

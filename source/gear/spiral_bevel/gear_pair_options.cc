@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/parameters/declared_section.h>
 #include <vfife/base/parameters/parameters.h>
-#include <vfife/base/parameters/section_of_options.h>
 #include <vfife/gear/spiral_bevel/gear_pair_options.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -29,8 +28,9 @@ namespace vfife
       dealii::ParameterHandler given, defaults;
       member.declare(given);
       nothing.declare(defaults);
-      const auto values = find_declared(given).list_values(section);
-      const auto others = find_declared(defaults).list_values(section);
+      const auto values = find_declared(given).list_texts(&DeclaredSection::Entry::value, section);
+      const auto others =
+        find_declared(defaults).list_texts(&DeclaredSection::Entry::value, section);
       for (std::size_t i = 0; i < values.size(); ++i)
         if (values[i] != others[i])
           paths.push_back(values[i].first);

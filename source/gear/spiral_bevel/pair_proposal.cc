@@ -2,7 +2,6 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/text/figure_text.h>
-#include <vfife/base/types.h>
 #include <vfife/gear/findings.h>
 #include <vfife/gear/newton.h>
 #include <vfife/gear/spiral_bevel/flank_contact.h>

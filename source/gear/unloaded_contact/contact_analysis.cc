@@ -244,9 +244,7 @@ namespace vfife
                   const std::vector<ContactAnalysis> &sides,
                   const ContactAnalysisOptions       &options)
   {
-    Table table;
-    table.add_text_column("side");
-    table.add_column("pitches", "-");
+    Table table{{"side"}, {"pitches", "-"}};
     // pairs 1, 0, -1 over p from -1 to 1: pair k stands where pair 0 will stand k pitches later
     table.add_column("pinion angle", "deg");
     table.add_column("pair", "-");
@@ -298,9 +296,7 @@ namespace vfife
 
   Table transmission_table(const GearPair &pair, const ContactAnalysisOptions &options)
   {
-    Table table;
-    table.add_column("driver angle", "deg");
-    table.add_column("transmission error", "arcsec");
+    Table table{{"driver angle", "deg"}, {"transmission error", "arcsec"}};
     // the touching pair's lag over two pitches, seen from the driven member
     const PairContact contact(pair, options.working_side());
     const int         n     = static_cast<int>(options.points_per_pitch);
@@ -324,10 +320,7 @@ namespace vfife
 
   Table path_table(const GearPair &pair, const std::vector<ContactAnalysis> &sides)
   {
-    Table table;
-    table.add_text_column("side");
-    table.add_column("pitches", "-");
-    table.add_column("lag", "arcsec");
+    Table table{{"side"}, {"pitches", "-"}, {"lag", "arcsec"}};
     for (const std::string member : {"pinion", "gear"})
       {
         for (const char *coordinate : {" L", " h", " x", " y", " z"})

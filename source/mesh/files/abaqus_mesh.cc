@@ -3,8 +3,6 @@
 
 #include <vfife/base/text/shown_text.h>
 
-#include <utility>
-
 namespace vfife
 {
   namespace

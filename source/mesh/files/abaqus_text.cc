@@ -9,7 +9,6 @@
 #include <boost/algorithm/string/case_conv.hpp>
 
 #include <algorithm>
-#include <map>
 
 namespace vfife
 {

@@ -33,25 +33,13 @@ namespace vfife
       members.erase(std::unique(members.begin(), members.end()), members.end());
     }
 
-    bool next_line(const std::string &path, TextLines &lines, std::string &line)
-    {
-      try
-        {
-          return lines.next(line);
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(path + ": " + error.what());
-        }
-    }
-
     /** UCD is written to .inp as well, and begins with numbers where Abaqus begins with a keyword.
      */
     FileMesh read_inp_or_ucd(const std::string &path)
     {
       std::ifstream file(path);
       TextLines     lines(file);
-      for (std::string line; next_line(path, lines, line);)
+      for (std::string line; for_place(path, [&] { return lines.next(line); });)
         {
           const std::string text = trimmed(line);
           if (!text.empty() && text[0] != '#')

@@ -161,11 +161,6 @@ namespace vfife
     return names;
   }
 
-  const char *PrimitiveOptions::shape() const
-  {
-    return shape_->name;
-  }
-
   void PrimitiveOptions::declare(dealii::ParameterHandler &prm)
   {
     for (unsigned int i = 0; i < shape_->sizes.size(); ++i)

@@ -130,25 +130,20 @@ namespace vfife
     const std::string entry = section + "/temperature";
     if (temperature == "0")
       return;
-    try
-      {
-        const Expression    formula(temperature, entry);
-        std::vector<double> strains;
-        for (unsigned int e = 0; e < body.n_elements(); ++e)
-          {
-            const double rise = formula(compute_centroid(body.element_nodes(e)), 0.);
-            strains.push_back(body.material(e).expansion * rise);
-            if (!(std::abs(strains.back()) < largest_initial_strain))
-              throw InputError(entry,
-                               "expected a temperature that expands the material by less than " +
-                                 std::to_string(100. * largest_initial_strain) + " %, got " +
-                                 std::to_string(rise) + " K at element " + std::to_string(e));
-          }
-        body.add_initial_strains(strains);
-      }
-    catch (const InputError &error)
-      {
-        throw InputError(entry, error.what());
-      }
+    for_entry(entry, [&] {
+      const Expression    formula(temperature, entry);
+      std::vector<double> strains;
+      for (unsigned int e = 0; e < body.n_elements(); ++e)
+        {
+          const double rise = formula(compute_centroid(body.element_nodes(e)), 0.);
+          strains.push_back(body.material(e).expansion * rise);
+          if (!(std::abs(strains.back()) < largest_initial_strain))
+            throw InputError(entry,
+                             "expected a temperature that expands the material by less than " +
+                               std::to_string(100. * largest_initial_strain) + " %, got " +
+                               std::to_string(rise) + " K at element " + std::to_string(e));
+        }
+      body.add_initial_strains(strains);
+    });
   }
 } // namespace vfife

@@ -4,13 +4,8 @@
 #include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/text/nearest_name.h>
-#include <vfife/base/text/number_text.h>
 #include <vfife/mesh/files/mesh_import.h>
 #include <vfife/model/options/body_options.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
 
 namespace vfife
 {
@@ -107,14 +102,7 @@ namespace vfife
 
   void BodyOptions::declare_shape(dealii::ParameterHandler &prm, const std::string &section)
   {
-    try
-      {
-        primitive = std::make_unique<PrimitiveOptions>(mesh);
-      }
-    catch (const InputError &error)
-      {
-        throw InputError(section + "/mesh", error.what());
-      }
+    for_entry(section + "/mesh", [&] { primitive = std::make_unique<PrimitiveOptions>(mesh); });
     primitive->declare(prm);
   }
 
@@ -238,15 +226,11 @@ namespace vfife
     std::vector<Expression> formulas;
     bool                    moves = false;
     for (unsigned int c = 0; c < 3; ++c)
-      try
-        {
-          formulas.emplace_back(initial_velocity[c], section + "/initial velocity " + "xyz"[c]);
-          moves = moves || initial_velocity[c] != "0";
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(section + "/initial velocity " + "xyz"[c], error.what());
-        }
+      {
+        const std::string entry = section + "/initial velocity " + "xyz"[c];
+        for_entry(entry, [&] { formulas.emplace_back(initial_velocity[c], entry); });
+        moves = moves || initial_velocity[c] != "0";
+      }
     if (moves)
       for (const Vector3 &X : body.node_positions())
         body.initial_velocity.emplace_back(formulas[0](X, 0.),

@@ -6,7 +6,6 @@
 #include <vfife/model/body.h>
 #include <vfife/output/files/mode_writer.h>
 #include <vfife/output/files/output_folder.h>
-#include <vfife/output/files/vtu_writer.h>
 
 #include <deal.II/numerics/data_out.h>
 

@@ -231,10 +231,10 @@ namespace vfife
                                       const std::string        &parameter_file)
   {
     const DeclaredSection declared = find_declared(prm);
-    parameters_                    = declared.list_values();
+    parameters_                    = declared.list_texts(&DeclaredSection::Entry::value);
     input_digests_                 = list_digests(declared);
     parameter_file_                = parameter_file;
-    const auto defaults            = declared.list_defaults();
+    const auto defaults            = declared.list_texts(&DeclaredSection::Entry::default_value);
     set_parameters_.clear();
     for (std::size_t i = 0; i < defaults.size(); ++i)
       if (parameters_[i] != defaults[i])

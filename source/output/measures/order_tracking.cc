@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <string>
 
 namespace vfife
@@ -150,12 +149,10 @@ namespace vfife
     /** The columns that say where a row is. */
     Table make_table_of_orders()
     {
-      Table table;
-      table.add_column(column::time, "s");
-      table.add_column(column::speed, "rpm");
-      table.add_column(column::mesh_frequency, "Hz");
-      table.add_column("mesh order", "-");
-      return table;
+      return {{column::time, "s"},
+              {column::speed, "rpm"},
+              {column::mesh_frequency, "Hz"},
+              {"mesh order", "-"}};
     }
 
     std::vector<Table::Cell>

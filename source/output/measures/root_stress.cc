@@ -6,8 +6,6 @@
 #include <vfife/output/measures/root_stress.h>
 
 #include <algorithm>
-#include <cmath>
-#include <set>
 
 namespace vfife
 {
@@ -257,9 +255,7 @@ namespace vfife
 
   Table make_fillet_envelope_table()
   {
-    Table table;
-    table.add_text_column("body");
-    table.add_text_column(column::fillet);
+    Table table{{"body"}, {column::fillet}};
     for (const char *name : {"face from", "face to", "profile from", "profile to"})
       table.add_column(name, "mm");
     for (const char *name : {column::tension, column::compression, "range"})
@@ -300,9 +296,7 @@ namespace vfife
 
   Table make_root_section_table()
   {
-    Table table;
-    table.add_text_column("body");
-    table.add_text_column(column::fillet);
+    Table table{{"body"}, {column::fillet}};
     for (const char *name : {"face from", "face to"})
       table.add_column(name, "mm");
     for (const std::string name : {column::tension, column::compression})

@@ -1,6 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
-#include <vfife/base/text/column_names.h>
 #include <vfife/base/text/figure_text.h>
 #include <vfife/base/text/table.h>
 #include <vfife/base/types.h>

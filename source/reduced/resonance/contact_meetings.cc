@@ -1,5 +1,4 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/complex.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/base/types.h>
 #include <vfife/reduced/resonance/contact_meetings.h>
@@ -317,19 +316,18 @@ namespace vfife
     const double                                                      ratio,
     const unsigned int                                                teeth)
   {
-    Table table;
-    table.add_column("mesh order", "-");
-    table.add_column(column::speed, "rpm");
-    table.add_column(column::mesh_frequency, "Hz");
-    table.add_column("width", "-");
-    table.add_text_column("wave");
-    table.add_column("nodal diameter", "-");
-    table.add_column("order", "-");
-    table.add_column("share of the wave", "-");
-    table.add_column("share of the rotation", "-");
-    table.add_column("amplitude", "um");
-    table.add_column("amplitude of the rotation", "arcsec");
-    table.add_column("amplitude of the moment", "N m");
+    Table table{{"mesh order", "-"},
+                {column::speed, "rpm"},
+                {column::mesh_frequency, "Hz"},
+                {"width", "-"},
+                {"wave"},
+                {"nodal diameter", "-"},
+                {"order", "-"},
+                {"share of the wave", "-"},
+                {"share of the rotation", "-"},
+                {"amplitude", "um"},
+                {"amplitude of the rotation", "arcsec"},
+                {"amplitude of the moment", "N m"}};
     for (const ContactMeeting &meeting : meetings)
       {
         const Eigen::RowVectorXcd gain = gains(meeting.diameters);

@@ -4,7 +4,7 @@
 #include <vfife/base/process/machine_speed.h>
 #include <vfife/base/process/timers.h>
 #include <vfife/base/sample_measures.h>
-#include <vfife/contact/contact_times.h>
+#include <vfife/contact/pass/contact_pass.h>
 #include <vfife/dynamics/loop/explicit_solver.h>
 #include <vfife/study/benchmark/contact_benchmark.h>
 
@@ -138,11 +138,7 @@ namespace vfife
 
   Table make_contact_cost_table()
   {
-    Table table;
-    table.add_text_column("part");
-    table.add_column("time", "us");
-    table.add_column("share", "%");
-    return table;
+    return {{"part"}, {"time", "us"}, {"share", "%"}};
   }
 
   Table measure_contact_cost(const Model                   &model,

@@ -4,8 +4,6 @@
 #include <vfife/element/frame.h>
 #include <vfife/study/benchmark/operator_benchmark.h>
 
-#include <algorithm>
-
 namespace vfife
 {
   namespace

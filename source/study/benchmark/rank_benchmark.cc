@@ -73,11 +73,7 @@ namespace vfife
 
   Table make_message_table()
   {
-    Table table;
-    table.add_column("length", "B");
-    table.add_column("time", "us");
-    table.add_column("bandwidth", "GB/s");
-    return table;
+    return {{"length", "B"}, {"time", "us"}, {"bandwidth", "GB/s"}};
   }
 
   Table measure_messages(const Communicator &communicator)
@@ -95,19 +91,17 @@ namespace vfife
 
   Table make_rank_table()
   {
-    Table table;
-    table.add_column("ranks", "-");
-    table.add_column("most elements", "-");
-    table.add_column("of them in pieces", "-");
-    table.add_column("most neighbours", "-");
-    table.add_column("most sent", "kB");
-    table.add_column("elements and nodes", "us");
-    table.add_column("halo", "us");
-    table.add_column("contact", "us");
-    table.add_column("reduction", "us");
-    table.add_column("step", "us");
-    table.add_column("speed-up", "-");
-    return table;
+    return {{"ranks", "-"},
+            {"most elements", "-"},
+            {"of them in pieces", "-"},
+            {"most neighbours", "-"},
+            {"most sent", "kB"},
+            {"elements and nodes", "us"},
+            {"halo", "us"},
+            {"contact", "us"},
+            {"reduction", "us"},
+            {"step", "us"},
+            {"speed-up", "-"}};
   }
 
   Table reckon_ranks(const Model &model, const RankBenchmarkOptions &options, const CoreTimes &core)

@@ -1,6 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
-#include <vfife/base/parameters/parameters.h>
 #include <vfife/study/cases/operation_options.h>
 
 #include <deal.II/base/parameter_handler.h>

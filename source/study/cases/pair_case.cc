@@ -4,7 +4,6 @@
 #include <vfife/study/cases/pair_case.h>
 #include <vfife/study/cases/run_length.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 

@@ -55,7 +55,6 @@ namespace vfife
       {
       }
 
-
       void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override
       {
         // First pass: each name has a section, which the strict pass has to know.
@@ -199,14 +198,7 @@ namespace vfife
       }
     if (one.base.empty())
       throw InputError(section + "/base", "the parameter file of the case is missing");
-    try
-      {
-        runner_.read(command_line(one, no_folder));
-      }
-    catch (const InputError &error)
-      {
-        throw InputError("case " + one.name + ": " + error.what());
-      }
+    for_place("case " + one.name, [&] { runner_.read(command_line(one, no_folder)); });
   }
 
   ComparedCase CompareStudy::do_one(const Case &one, OutputFolder &folder, Log &log) const

@@ -1,6 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/parameters/parameters.h>
-#include <vfife/base/types.h>
 #include <vfife/study/compare/comparison.h>
 
 #include <nlohmann/json.hpp>
@@ -55,9 +54,7 @@ namespace vfife
 
   Table comparison_table(const ComparisonRows &rows)
   {
-    Table table;
-    table.add_text_column("quantity");
-    table.add_text_column("unit");
+    Table table{{"quantity"}, {"unit"}};
     // Rows differ in their unit: it is a cell of its own, and the columns' unit says so.
     table.add_column("value", "unit");
     table.add_column("reference", "unit");

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameter_file.h>
-#include <vfife/base/parameters/section_of_options.h>
+#include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
@@ -252,7 +252,6 @@ namespace vfife
         fem_.mass          = MassKind::lumped; // as the mass points of a run
         fem_.linear_solver = LinearSolverKind::direct;
       }
-
 
       void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override
       {
@@ -565,9 +564,7 @@ namespace vfife
 
   Table make_reaction_table()
   {
-    Table table;
-    table.add_text_column("constraint");
-    table.add_text_column("body");
+    Table table{{"constraint"}, {"body"}};
     for (const char *component : {"force x", "force y", "force z"})
       table.add_column(component, "N");
     // Forces are along the fixed axes, from the constraint on the body.

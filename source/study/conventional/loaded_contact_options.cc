@@ -1,5 +1,4 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/parameters/parameters.h>
 #include <vfife/study/conventional/loaded_contact_options.h>
 
 namespace vfife

@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
-#include <vfife/base/parameters/section_of_options.h>
+#include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
@@ -61,28 +61,15 @@ namespace vfife
     /** What is recorded at each position. */
     struct Recorders
     {
-      LoadedProbes                    probes;
-      LoadedSupports                  supports;
-      LoadedPattern                   pattern;
+      const Model                    &model;
       LoadedFillets                   fillets;
-      PartStresses                    parts;
       LoadedFields                    fields;
       std::unique_ptr<LoadedPressure> pressure; ///< nullptr: is not asked for
 
-      Recorders(const Model                         &model,
-                const FilletOptions                 &fillet_options,
-                std::unique_ptr<const RootSubmodels> submodels,
-                const bool                           spins,
-                OutputFolder                        &folder,
-                const OutputOptions                 &output)
-        : probes(model)
-        , supports(model)
-        , pattern(model)
-        , fillets(model, fillet_options, std::move(submodels), spins)
-        , parts(model)
-        , fields(folder, model, output)
-      {
-      }
+      LoadedProbes   probes{model};
+      LoadedSupports supports{model};
+      LoadedPattern  pattern{model};
+      PartStresses   parts{model};
 
       /** All but pressures. */
       void add(const double                 position,
@@ -316,14 +303,14 @@ namespace vfife
     for (const Position &position : positions)
       turns.push_back(position.meshes * pitch);
     // One factorization serves all positions: bodies stay as they are in turning axes.
-    PairEquilibrium equilibrium(model, compliance, turns);
-    Recorders       recorders(model,
-                        fillets_,
-                        make_root_submodels(*pair_case_, fillets_, model, log),
-                        options_.centrifugal,
-                        folder,
-                        output_);
-    recorders.pressure             = make_pressure(model, compliance);
+    PairEquilibrium       equilibrium(model, compliance, turns);
+    Recorders             recorders{model,
+                        {model,
+                                     fillets_,
+                                     make_root_submodels(*pair_case_, fillets_, model, log),
+                                     options_.centrifugal},
+                        {folder, model, output_},
+                        make_pressure(model, compliance)};
     LoadedPressure *const pressure = recorders.pressure.get();
     for (std::size_t i = 0; i < turns.size(); ++i)
       {

@@ -21,38 +21,34 @@ namespace vfife
 
   Table make_loaded_contact_table()
   {
-    Table table;
-    table.add_column(column::position, "mesh cycles");
-    table.add_column(column::angle_of("pinion"), "deg");
-    table.add_column(column::unloaded_transmission_error, "arcsec");
-    table.add_column(column::transmission_error, "arcsec");
-    table.add_column(column::contact_torque_on("gear"), "N m");
-    table.add_column(column::contact_force_total, "N");
-    table.add_column(column::teeth_in_contact, "-");
-    table.add_column(column::largest_pressure, "MPa");
-    table.add_column("secant stiffness", "N m/rad");
-    table.add_column(column::tangent_stiffness, "N m/rad");
-    table.add_column("pinion fillet von mises", "MPa");
-    table.add_column("gear fillet von mises", "MPa");
-    table.add_column("web von mises", "MPa");
-    table.add_column("iterations", "-");
-    table.add_column("residual", "-");
-    return table;
+    return {{column::position, "mesh cycles"},
+            {column::angle_of("pinion"), "deg"},
+            {column::unloaded_transmission_error, "arcsec"},
+            {column::transmission_error, "arcsec"},
+            {column::contact_torque_on("gear"), "N m"},
+            {column::contact_force_total, "N"},
+            {column::teeth_in_contact, "-"},
+            {column::largest_pressure, "MPa"},
+            {"secant stiffness", "N m/rad"},
+            {column::tangent_stiffness, "N m/rad"},
+            {"pinion fillet von mises", "MPa"},
+            {"gear fillet von mises", "MPa"},
+            {"web von mises", "MPa"},
+            {"iterations", "-"},
+            {"residual", "-"}};
   }
 
   Table make_loaded_teeth_table()
   {
-    Table table;
-    table.add_column(column::position, "mesh cycles");
-    table.add_text_column(column::side);
-    table.add_column(column::tooth_of("pinion"), "-");
-    table.add_column(column::tooth_of("gear"), "-");
-    table.add_column(column::force, "N");
-    table.add_column(column::torque, "N m");
-    table.add_column("share of torque", "-");
-    table.add_column(column::largest_pressure, "MPa");
-    table.add_column(column::area, "mm^2");
-    return table;
+    return {{column::position, "mesh cycles"},
+            {column::side},
+            {column::tooth_of("pinion"), "-"},
+            {column::tooth_of("gear"), "-"},
+            {column::force, "N"},
+            {column::torque, "N m"},
+            {"share of torque", "-"},
+            {column::largest_pressure, "MPa"},
+            {column::area, "mm^2"}};
   }
 
   Table make_loaded_misalignment_table()

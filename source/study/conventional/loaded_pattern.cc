@@ -2,7 +2,7 @@
 #include <vfife/fem/pair/pair_equilibrium.h>
 #include <vfife/model/model.h>
 #include <vfife/study/conventional/loaded_pattern.h>
-#include <vfife/study/pressure/flank_place.h>
+#include <vfife/study/pressure/pressure_tables.h>
 
 #include <algorithm>
 

@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
-#include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
@@ -120,7 +119,6 @@ namespace vfife
       return not_known;
     }
   } // namespace
-
 
   void ModalStudy::run(OutputFolder &folder, Log &log)
   {

@@ -5,7 +5,6 @@
 #include <vfife/base/parameters/number_list.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
-#include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/quantity.h>
 #include <vfife/gear/driving.h>
@@ -201,14 +200,9 @@ namespace vfife
 
   std::vector<Vector3> FlankFitStudy::read_points(const GearPair &pair) const
   {
-    try
-      {
-        return read_measured_points(options_.measured, member(pair), options_.side, options_.grid);
-      }
-    catch (const InputError &error)
-      {
-        throw InputError("Flank fit/measured flank", error.what());
-      }
+    return for_entry("Flank fit/measured flank", [&] {
+      return read_measured_points(options_.measured, member(pair), options_.side, options_.grid);
+    });
   }
 
   SettingsFit FlankFitStudy::make_fit(const GearPair &pair) const

@@ -2,7 +2,7 @@
 #include <vfife/base/case_sections.h>
 #include <vfife/base/parameters/declared_section.h>
 #include <vfife/base/parameters/parameter_file.h>
-#include <vfife/base/parameters/section_of_options.h>
+#include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/base/types.h>
@@ -185,7 +185,8 @@ namespace vfife
   std::optional<PairGeometry> find_pair_geometry(const ParameterFile            &file,
                                                  const dealii::ParameterHandler &prm)
   {
-    const auto reads = [entries = find_declared(prm).list_values()](const std::string &entry) {
+    const auto reads = [entries = find_declared(prm).list_texts(&DeclaredSection::Entry::value)](
+                         const std::string &entry) {
       const std::string path = std::string(spiral_bevel_section) + "/" + entry;
       return std::any_of(entries.begin(), entries.end(), [&path](const auto &one) {
         return one.first == path;

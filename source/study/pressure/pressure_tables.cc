@@ -2,7 +2,6 @@
 #include <vfife/base/text/column_names.h>
 #include <vfife/model/model.h>
 #include <vfife/output/files/result_places.h>
-#include <vfife/study/pressure/flank_place.h>
 #include <vfife/study/pressure/pressure_tables.h>
 
 #include <algorithm>
@@ -45,6 +44,15 @@ namespace vfife
       return largest;
     }
   } // namespace
+
+  Vector2 place_on_flank(const BlankOutline &blank, const Vector2 &r_z)
+  {
+    // Along and across the pitch cone from the apex, at which the axial section of a body has its
+    // origin.
+    const double sine = std::sin(blank.pitch_angle), cosine = std::cos(blank.pitch_angle);
+    return Vector2(r_z[1] * cosine + r_z[0] * sine - blank.mean_cone_distance,
+                   r_z[0] * cosine - r_z[1] * sine);
+  }
 
   Table make_pressure_table(const PressureRows rows)
   {

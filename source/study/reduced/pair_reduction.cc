@@ -23,7 +23,6 @@
 #include <filesystem>
 #include <optional>
 #include <sstream>
-#include <string>
 
 namespace vfife
 {

@@ -21,20 +21,14 @@ namespace vfife
     };
   }
 
-  ReducedRun::ReducedRun(OutputFolder        &folder,
-                         Log                 &log,
-                         Model               &model,
-                         ReducedPair         &pair,
-                         const double         dt,
-                         const OutputOptions &output,
-                         const RunTimes      &times)
-    : Stepping(folder, log, model, output, times)
+  ReducedRun::ReducedRun(const RunMeans &means, ReducedPair &pair, const double dt)
+    : Stepping(means)
     , pair_(pair)
   {
     state_.dt = dt;
     // Observers look at forces of nodes by it.
-    state_.partition     = make_whole_partition(model);
-    state_.contact_force = NodeField(model.n_nodes());
+    state_.partition     = make_whole_partition(model_);
+    state_.contact_force = NodeField(model_.n_nodes());
   }
 
   PairPreload ReducedRun::preload() const

@@ -1,15 +1,24 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
-#include <vfife/base/parameters/section_of_options.h>
+#include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
+#include <vfife/base/process/wall_clock.h>
 #include <vfife/dynamics/dynamics_options.h>
+#include <vfife/element/stress.h>
+#include <vfife/fem/fem_options.h>
+#include <vfife/fem/pair/pair_equilibrium.h>
+#include <vfife/fem/statics/static_solver.h>
 #include <vfife/lumped/speed_sweep.h>
+#include <vfife/mesh/body_mesh.h>
+#include <vfife/model/model.h>
 #include <vfife/output/files/checkpoint.h>
+#include <vfife/output/files/figures.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/result_places.h>
 #include <vfife/output/measures/pair_mounting.h>
 #include <vfife/output/observers/history_writer.h>
+#include <vfife/output/observers/part_stress_watch.h>
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/output/output_options.h>
 #include <vfife/output/pictures.h>
@@ -26,26 +35,108 @@
 #include <vfife/study/pressure/instant_options.h>
 #include <vfife/study/pressure/pressure_writer.h>
 #include <vfife/study/reduced/fillet_readings.h>
-#include <vfife/study/reduced/flank_places.h>
 #include <vfife/study/reduced/near_cutoff.h>
 #include <vfife/study/reduced/pair_reduction.h>
 #include <vfife/study/reduced/pair_speed_sweep.h>
 #include <vfife/study/reduced/reduced_run.h>
-#include <vfife/study/reduced/reduced_study.h>
-#include <vfife/study/reduced/speed_sweep_files.h>
-#include <vfife/study/reduced/start_stresses.h>
 #include <vfife/study/run/pair_recording.h>
 #include <vfife/study/run/pair_start.h>
 #include <vfife/study/start_summary.h>
 #include <vfife/study/stress_waves/stress_wave_places.h>
+#include <vfife/study/study_kinds.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 namespace vfife
 {
   namespace
   {
+    /**
+     * The largest stress of web, rim and hub of the pair at rest in its first position, under
+     * torque and spin, of all nodes: a reduced body knows stresses of its probes and fillets alone.
+     * Says in the log what it finds, or why nothing. @p compliance: of the model's bodies of
+     * elements @p fem; nullptr: is factorized here. Collective.
+     */
+    NamedFigures find_start_stresses(const Model        &model,
+                                     const FemOptions   &fem,
+                                     Compliance         *compliance,
+                                     const Communicator &communicator,
+                                     Log                &log)
+    {
+      const auto   start = WallClock::now();
+      PartStresses parts(model);
+      try
+        {
+          std::optional<Compliance> own;
+          if (compliance == nullptr)
+            compliance = &own.emplace(model, fem, model.any_body_turns(), communicator);
+          PairEquilibrium           equilibrium(model, *compliance, {0.});
+          const std::vector<double> u        = equilibrium.solve(0., 1.).displacements;
+          const std::vector<Stress> stresses = compute_node_stresses(compliance->space(), u);
+          parts.look([&](const unsigned int node) { return von_mises(stresses[node]); });
+        }
+      catch (const NumericalError &error)
+        {
+          log.line("largest stresses at the start: not available, ", error.what());
+          return {};
+        }
+      log.line(
+        "largest stresses at rest in the first position, found in ",
+        duration_text(seconds_since(start)),
+        "; for all positions use kind loaded tooth contact analysis, with vibration kind run");
+      parts.write_to(log);
+      NamedFigures figures;
+      for (const auto &[name, figure] : parts.list_figures())
+        figures.push_back({"at the start, " + name, figure});
+      return figures;
+    }
+
+    /** The flanks of the teeth in contact from where a reduced pair has them. What is given must
+     * outlive it. */
+    FlankReader read_flanks(const Model &model, const ReducedPair &pair)
+    {
+      return [&model, &pair](const State &state) {
+        const ContactPair                &contact  = model.contacts.front();
+        const std::array<unsigned int, 2> bodies   = {{contact.slave_body, contact.master_body}};
+        const std::array<std::string, 2>  surfaces = {
+           {contact.slave_surface, contact.master_surface}};
+        FlankState flanks;
+        for (unsigned int side = 0; side < 2; ++side)
+          {
+            const Body         &body   = model.bodies[bodies[side]];
+            const FacetSurface &facets = body.mesh().surfaces.at(surfaces[side]);
+            // Of teeth in contact alone: modes are many, and teeth too.
+            std::set<unsigned int> teeth;
+            for (const ToothContact &tooth : state.measured.teeth)
+              teeth.insert(side == 0 ? tooth.slave_group : tooth.master_group);
+            std::set<unsigned int> of_teeth;
+            for (std::size_t f = 0; f < facets.facets.size(); ++f)
+              if (teeth.count(facets.group[f]) > 0)
+                of_teeth.insert(facets.facets[f].begin(), facets.facets[f].end());
+            std::vector<unsigned int> nodes;
+            for (const unsigned int node : of_teeth)
+              nodes.push_back(facets.nodes[node]);
+            const std::vector<double> places = pair.reader().read_places(bodies[side], nodes);
+            flanks.positions[side].assign(3 * facets.nodes.size(), 0.);
+            flanks.forces[side] = flanks.positions[side];
+            std::size_t i       = 0;
+            for (const unsigned int node : of_teeth)
+              {
+                std::copy_n(places.begin() + 3 * i++,
+                            3,
+                            flanks.positions[side].begin() + 3 * std::size_t(node));
+                Eigen::Map<Vector3>(flanks.forces[side].data() + 3 * std::size_t(node)) =
+                  state.contact_force.value(body.first_node + facets.nodes[node]);
+              }
+            flanks.motions[side] = pair.body_motion(bodies[side]);
+          }
+        return flanks;
+      };
+    }
+
     class ReducedStudy : public StudyKind
     {
     public:
@@ -279,7 +370,7 @@ namespace vfife
       const double dt = motion.options.step;
       RunTimes times  = plan_times(*pair_case_, dynamics_, output_, model.only_transmission(), dt);
       times.end       = std::llround(times.end / dt) * dt; // of its last step
-      ReducedRun run(folder, log, model, pair, dt, output_, times);
+      ReducedRun run({folder, log, model, output_, times}, pair, dt);
       if (dynamics_.start == Start::steady_swing && !PairMounting::changes(model))
         run.start_swinging(dynamics_.mesh_damping);
       RunSummary &summary  = run.summary();

@@ -3,7 +3,6 @@
 #include <vfife/study/reduced/speed_ranges.h>
 
 #include <string>
-#include <vector>
 
 namespace vfife
 {
@@ -62,14 +61,12 @@ namespace vfife
 
   Table make_exceedance_table()
   {
-    Table table;
-    table.add_text_column(column::direction);
-    table.add_text_column("quantity");
-    table.add_column("from", "rpm");
-    table.add_column("to", "rpm");
-    table.add_column("largest amplification", "-");
-    table.add_column("at", "rpm");
-    return table;
+    return {{column::direction},
+            {"quantity"},
+            {"from", "rpm"},
+            {"to", "rpm"},
+            {"largest amplification", "-"},
+            {"at", "rpm"}};
   }
 
   void

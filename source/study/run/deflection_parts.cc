@@ -4,8 +4,6 @@
 #include <vfife/fem/cyclic/roots_of_unity.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>
-#include <vfife/model/model.h>
-#include <vfife/model/state.h>
 #include <vfife/study/run/deflection_parts.h>
 
 #include <Eigen/LU>

@@ -22,14 +22,8 @@ namespace vfife
     constexpr double clean_share = 1e-4;
   } // namespace
 
-  ExplicitStepping::ExplicitStepping(OutputFolder        &folder,
-                                     Log                 &log,
-                                     Model               &model,
-                                     ExplicitSolver      &solver,
-                                     RunStart            &start,
-                                     const OutputOptions &output,
-                                     const RunTimes      &times)
-    : Stepping(folder, log, model, output, times)
+  ExplicitStepping::ExplicitStepping(const RunMeans &means, ExplicitSolver &solver, RunStart &start)
+    : Stepping(means)
     , solver_(solver)
     , start_(start)
   {

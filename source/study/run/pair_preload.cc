@@ -3,7 +3,6 @@
 #include <vfife/base/process/wall_clock.h>
 #include <vfife/base/text/byte_stream.h>
 #include <vfife/base/text/figure_text.h>
-#include <vfife/dynamics/equilibrium/relaxation.h>
 #include <vfife/dynamics/equilibrium/standing_pattern.h>
 #include <vfife/dynamics/loop/explicit_solver.h>
 #include <vfife/model/pair_measures.h>
@@ -14,7 +13,6 @@
 #include <vfife/study/run/pair_preload.h>
 #include <vfife/study/run/pair_start.h>
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -68,44 +66,40 @@ namespace vfife
     summary.figures.push_back({figure_name::torsional_frequency, {swing.frequency(), "Hz"}});
   }
 
-  PreloadedPair::PreloadedPair(const Model                &model,
-                               const DynamicsOptions      &options,
-                               ExplicitSolver             &solver,
-                               std::shared_ptr<Compliance> compliance,
-                               const Communicator         &communicator,
-                               Log                        &log)
-    : model_(model)
-    , options_(options)
-    , solver_(solver)
-    , compliance_(std::move(compliance))
-    , communicator_(communicator)
-    , log_(log)
+  PreloadedPair::PreloadedPair(const StartMeans &means)
+    : means_(means)
   {
   }
 
   void PreloadedPair::prepare(State &state)
   {
     const auto      start = WallClock::now();
-    Relaxation      relaxation(model_,
-                          options_.relaxation,
-                          solver_.vfife_operator(),
-                          solver_.contact(),
-                          solver_.walls(),
-                          communicator_,
-                          log_);
-    DeflectionProbe probe(model_, communicator_);
-    const double    torque = load_torque(model_);
-    log_.line("equilibrium before the start:");
+    Relaxation      relaxation(means_.model,
+                          means_.options.relaxation,
+                          means_.solver.vfife_operator(),
+                          means_.solver.contact(),
+                          means_.solver.walls(),
+                          means_.communicator,
+                          means_.log);
+    DeflectionProbe probe(means_.model, means_.communicator);
+    const double    torque = load_torque(means_.model);
+    means_.log.line("equilibrium before the start:");
     std::optional<PairStart> factors;
-    if (options_.start_solver == StartSolver::factorization)
-      factors.emplace(model_, options_, relaxation, std::move(compliance_), communicator_, log_);
+    if (means_.options.start_solver == StartSolver::factorization)
+      factors.emplace(means_.model,
+                      means_.options,
+                      relaxation,
+                      std::move(means_.compliance),
+                      means_.communicator,
+                      means_.log);
     // Each equilibrium starts from the one before. Both ways to it have the same result up to their
     // tolerance.
     const auto relax = [&](const char *name, const Relaxation::Loads &loads) {
-      log_.line("  ",
-                name,
-                ": ",
-                factors ? factors->solve(state, loads) : relaxation.solve(state, loads).describe());
+      means_.log.line("  ",
+                      name,
+                      ": ",
+                      factors ? factors->solve(state, loads)
+                              : relaxation.solve(state, loads).describe());
     };
 
     // 1. Centrifugal force alone.
@@ -130,21 +124,21 @@ namespace vfife
     preload_.parts       = probe.take_loaded(state);
     preload_.supports    = probe.supports();
     preload_.rim_bending = probe.rim_bending();
-    if (PairMounting::changes(model_))
-      preload_.misalignment = PairMounting(model_).measure(state, communicator_);
+    if (PairMounting::changes(means_.model))
+      preload_.misalignment = PairMounting(means_.model).measure(state, means_.communicator);
     // The springs' energy is that of the state just found: to be asked before the next one.
-    preload_.penalty_lag = compute_penalty_lag(solver_.contact().sums().energy(), torque);
+    preload_.penalty_lag = compute_penalty_lag(means_.solver.contact().sums().energy(), torque);
     preload_.swing       = probe.compute_swing(state, torque);
 
     // 3. Where the run begins.
-    StandingPattern   pattern(model_, communicator_);
+    StandingPattern   pattern(means_.model, means_.communicator);
     const SwingMotion swing = find_swing(factors ? &*factors : nullptr, torque);
     begin(swing, torque, relax, pattern, state);
-    log_.line("  took ", duration_text(seconds_since(start)));
+    means_.log.line("  took ", duration_text(seconds_since(start)));
     // Velocities come last, of the places found: omega x r, and Omega u' of the standing pattern,
     // which a ramp has not.
-    solver_.set_windings(relaxation.windings());
-    solver_.set_initial_velocities(state);
+    means_.solver.set_windings(relaxation.windings());
+    means_.solver.set_initial_velocities(state);
     pattern.add_velocities(state.velocity);
     log_preload();
   }
@@ -155,14 +149,14 @@ namespace vfife
       return {};
     const SwingMotion swing = find_steady_swing(factors->static_errors(),
                                                 preload_.swing,
-                                                model_.only_transmission()->mesh_frequency(),
-                                                options_.mesh_damping,
+                                                means_.model.only_transmission()->mesh_frequency(),
+                                                means_.options.mesh_damping,
                                                 torque);
-    log_.line("  the torsional oscillation starts in its steady state: transmission error ",
-              swing.error / arcsecond,
-              " arcsec beyond the static one, flank torque ",
-              swing.torque,
-              " of the load torque");
+    means_.log.line("  the torsional oscillation starts in its steady state: transmission error ",
+                    swing.error / arcsecond,
+                    " arcsec beyond the static one, flank torque ",
+                    swing.torque,
+                    " of the load torque");
     return swing;
   }
 
@@ -172,7 +166,7 @@ namespace vfife
                             StandingPattern   &pattern,
                             State             &state) const
   {
-    if (options_.start == Start::ramp)
+    if (means_.options.start == Start::ramp)
       {
         // So little torque closes the flanks of the spun shapes and hardly deforms them.
         Relaxation::Loads touching;
@@ -180,7 +174,7 @@ namespace vfife
         relax("touching", touching);
         return;
       }
-    const Transmission &t = *model_.only_transmission();
+    const Transmission &t = *means_.model.only_transmission();
     // The pattern follows from the shape and its forces of inertia change the shape: in turn.
     for (unsigned int round = 0; round < pattern_rounds; ++round)
       {
@@ -198,7 +192,7 @@ namespace vfife
   void PreloadedPair::serialize(ByteStream &stream)
   {
     stream.pass(preload_.parts, preload_.swing, preload_.penalty_lag);
-    if (PairMounting::changes(model_))
+    if (PairMounting::changes(means_.model))
       stream.pass(preload_.supports, preload_.misalignment);
   }
 
@@ -215,44 +209,44 @@ namespace vfife
   void PreloadedPair::log_preload() const
   {
     const DeflectionParts &parts = preload_.parts;
-    log_.line("transmission error under load ",
-              parts.total / arcsecond,
-              model_.has_initial_strains() ? " arcsec: centrifugal and thermal shift "
-                                           : " arcsec: centrifugal shift ",
-              parts.centrifugal / arcsecond,
-              ", web windup ",
-              parts.web_windup / arcsecond,
-              ", rim tilt and shift ",
-              parts.rim_tilt / arcsecond,
-              ", rim bending ",
-              preload_.rim_bending / arcsecond,
-              ", teeth, pinion and remainder ",
-              parts.teeth / arcsecond,
-              "; of these the contact penalty causes ",
-              -preload_.penalty_lag / arcsecond,
-              " arcsec");
-    if (PairMounting::changes(model_))
+    means_.log.line("transmission error under load ",
+                    parts.total / arcsecond,
+                    means_.model.has_initial_strains() ? " arcsec: centrifugal and thermal shift "
+                                                       : " arcsec: centrifugal shift ",
+                    parts.centrifugal / arcsecond,
+                    ", web windup ",
+                    parts.web_windup / arcsecond,
+                    ", rim tilt and shift ",
+                    parts.rim_tilt / arcsecond,
+                    ", rim bending ",
+                    preload_.rim_bending / arcsecond,
+                    ", teeth, pinion and remainder ",
+                    parts.teeth / arcsecond,
+                    "; of these the contact penalty causes ",
+                    -preload_.penalty_lag / arcsecond,
+                    " arcsec");
+    if (PairMounting::changes(means_.model))
       {
         std::ostringstream misalignment;
         set_figure_digits(misalignment, 4);
         for (const MountingNumber &one : list_numbers(preload_.misalignment))
           misalignment << (misalignment.tellp() > 0 ? ", " : "") << one.name << " " << one.value
                        << " " << one.unit;
-        log_.line("bearings account for ",
-                  preload_.supports.bearings / arcsecond,
-                  " arcsec and shaft bending for ",
-                  preload_.supports.bending / arcsecond,
-                  " arcsec of the whole; misalignment under load: ",
-                  misalignment.str());
+        means_.log.line("bearings account for ",
+                        preload_.supports.bearings / arcsecond,
+                        " arcsec and shaft bending for ",
+                        preload_.supports.bending / arcsecond,
+                        " arcsec of the whole; misalignment under load: ",
+                        misalignment.str());
       }
-    log_.line("torsional natural frequency of the driven member about ",
-              preload_.swing.frequency(),
-              " Hz, ",
-              model_.only_transmission()->mesh_frequency() / preload_.swing.frequency(),
-              " mesh cycles per period: stiffness ",
-              1e-3 * preload_.swing.stiffness,
-              " N m/rad, inertia of the torsional mode ",
-              1e3 * preload_.swing.inertia,
-              " kg mm^2");
+    means_.log.line("torsional natural frequency of the driven member about ",
+                    preload_.swing.frequency(),
+                    " Hz, ",
+                    means_.model.only_transmission()->mesh_frequency() / preload_.swing.frequency(),
+                    " mesh cycles per period: stiffness ",
+                    1e-3 * preload_.swing.stiffness,
+                    " N m/rad, inertia of the torsional mode ",
+                    1e3 * preload_.swing.inertia,
+                    " kg mm^2");
   }
 } // namespace vfife

@@ -27,10 +27,10 @@
 #include <vfife/study/run/pair_recording.h>
 #include <vfife/study/run/pair_start.h>
 #include <vfife/study/run/run_start.h>
-#include <vfife/study/run/run_study.h>
 #include <vfife/study/run/start_kinds.h>
 #include <vfife/study/run/stepped_solver.h>
 #include <vfife/study/start_summary.h>
+#include <vfife/study/study_kinds.h>
 
 #include <cmath>
 #include <optional>
@@ -157,7 +157,6 @@ namespace vfife
     };
   } // namespace
 
-
   Model RunStudy::make_model(Log &log) const
   {
     Model model = case_->make_model(log);
@@ -258,9 +257,9 @@ namespace vfife
     const Transmission *transmission = model.only_transmission();
     const RunTimes      times = plan_times(*case_, dynamics_, output_, transmission, stepped.dt);
     const auto          start = make_start(
-      model, dynamics_, stepped.solver, std::move(settled.compliance), communicator, log);
+      {model, dynamics_, stepped.solver, std::move(settled.compliance), communicator, log});
     // Checkpoints hold the observers in this order.
-    ExplicitStepping stepping(folder, log, model, stepped.solver, *start, output_, times);
+    ExplicitStepping stepping({folder, log, model, output_, times}, stepped.solver, *start);
     RunSummary      &summary = stepping.summary();
     summary                  = start_summary("run", model, stepped.solver, stepped.dt, folder);
     const auto   impulse     = [&] { return stepped.solver.contact_impulse(); };

@@ -22,20 +22,16 @@ namespace vfife
     class RelaxedStart : public RunStart
     {
     public:
-      RelaxedStart(const Model           &model,
-                   const DynamicsOptions &options,
-                   ExplicitSolver        &solver,
-                   const Communicator    &communicator,
-                   Log                   &log)
-        : relaxation_(model,
-                      options.relaxation,
-                      solver.vfife_operator(),
-                      solver.contact(),
-                      solver.walls(),
-                      communicator,
-                      log)
-        , solver_(solver)
-        , log_(log)
+      explicit RelaxedStart(const StartMeans &means)
+        : relaxation_(means.model,
+                      means.options.relaxation,
+                      means.solver.vfife_operator(),
+                      means.solver.contact(),
+                      means.solver.walls(),
+                      means.communicator,
+                      means.log)
+        , solver_(means.solver)
+        , log_(means.log)
       {
       }
 
@@ -55,18 +51,12 @@ namespace vfife
     };
   } // namespace
 
-  std::unique_ptr<RunStart> make_start(const Model                &model,
-                                       const DynamicsOptions      &options,
-                                       ExplicitSolver             &solver,
-                                       std::shared_ptr<Compliance> compliance,
-                                       const Communicator         &communicator,
-                                       Log                        &log)
+  std::unique_ptr<RunStart> make_start(const StartMeans &means)
   {
-    if (options.start == Start::undeformed)
+    if (means.options.start == Start::undeformed)
       return std::make_unique<UndeformedStart>();
-    if (!model.transmissions.empty())
-      return std::make_unique<PreloadedPair>(
-        model, options, solver, std::move(compliance), communicator, log);
-    return std::make_unique<RelaxedStart>(model, options, solver, communicator, log);
+    if (!means.model.transmissions.empty())
+      return std::make_unique<PreloadedPair>(means);
+    return std::make_unique<RelaxedStart>(means);
   }
 } // namespace vfife

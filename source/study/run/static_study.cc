@@ -21,7 +21,6 @@
 #include <vfife/study/study_kinds.h>
 #include <vfife/study/turning_axes.h>
 
-
 namespace vfife
 {
   namespace

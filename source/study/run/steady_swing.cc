@@ -51,7 +51,6 @@ namespace vfife
     }
   } // namespace
 
-
   std::vector<double> find_swing_errors(const std::vector<double> &errors,
                                         const Swing               &swing,
                                         const double               mesh_frequency,
@@ -64,7 +63,6 @@ namespace vfife
         found[k] += std::real(order.answer * std::polar(1., 2. * pi * order.number * k / n));
     return found;
   }
-
 
   void add_spring_excitation(const Model &model,
                              const Swing &swing,
@@ -104,7 +102,6 @@ namespace vfife
              peak_to_peak_of(forces),
              " N");
   }
-
 
   SwingMotion find_steady_swing(const std::vector<double> &errors,
                                 const Swing               &swing,

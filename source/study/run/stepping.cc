@@ -9,21 +9,17 @@
 
 namespace vfife
 {
-  Stepping::Stepping(OutputFolder        &folder,
-                     Log                 &log,
-                     Model               &model,
-                     const OutputOptions &output,
-                     const RunTimes      &times)
-    : folder_(folder)
-    , log_(log)
-    , model_(model)
-    , times_(times)
-    , observers_(folder)
-    , checkpoints_(folder,
-                   log,
-                   model,
+  Stepping::Stepping(const RunMeans &means)
+    : folder_(means.folder)
+    , log_(means.log)
+    , model_(means.model)
+    , times_(means.times)
+    , observers_(folder_)
+    , checkpoints_(folder_,
+                   log_,
+                   model_,
                    observers_.list(),
-                   output,
+                   means.output,
                    [this](ByteStream &common, ByteStream *own) { serialize(common, own); })
   {
   }

@@ -1,5 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/complex.h>
+#include <vfife/base/types.h>
 #include <vfife/element/stress.h>
 #include <vfife/study/cases/probe_copies.h>
 #include <vfife/study/stress_waves/stress_wave_places.h>

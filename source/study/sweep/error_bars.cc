@@ -92,24 +92,20 @@ namespace vfife
   {
     // Rows differ in their unit: it is a cell of its own, and the columns' unit says so.
     ErrorTables tables;
-    tables.bars.add_text_column("quantity");
-    tables.bars.add_text_column("variant");
-    tables.bars.add_text_column("run");
-    tables.bars.add_text_column("unit");
-    tables.bars.add_column("value", "unit");
-    tables.bars.add_column("error", "unit");
+    tables.bars = {
+      {"quantity"}, {"variant"}, {"run"}, {"unit"}, {"value", "unit"}, {"error", "unit"}};
     for (const std::string &parameter : numerical_parameters)
       tables.bars.add_column("error by " + parameter, "unit");
     tables.bars.add_text_column("method");
 
-    tables.differences.add_text_column("quantity");
-    tables.differences.add_text_column("variant");
-    tables.differences.add_text_column("other variant");
-    tables.differences.add_text_column("unit");
-    tables.differences.add_column("difference", "unit");
-    tables.differences.add_column("error of the difference", "unit");
-    tables.differences.add_column("sum of both errors", "unit");
-    tables.differences.add_text_column("verdict");
+    tables.differences = {{"quantity"},
+                          {"variant"},
+                          {"other variant"},
+                          {"unit"},
+                          {"difference", "unit"},
+                          {"error of the difference", "unit"},
+                          {"sum of both errors", "unit"},
+                          {"verdict"}};
     return tables;
   }
 

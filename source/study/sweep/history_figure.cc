@@ -303,14 +303,7 @@ namespace vfife
     if (is_over_speed() && from > 0)
       throw InputError(section + "/from", file() + " has speeds and no times");
     if (!reference.empty())
-      try
-        {
-          parse_quantity(reference, "-");
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(section + "/reference", error.what());
-        }
+      for_entry(section + "/reference", [this] { parse_quantity(reference, "-"); });
   }
 
   std::string HistoryFigure::file() const

@@ -10,7 +10,6 @@
 #include <vfife/study/sweep/sweep_runs.h>
 
 #include <algorithm>
-#include <functional>
 #include <iomanip>
 #include <sstream>
 
@@ -55,14 +54,8 @@ namespace vfife
 
   void SweepParameter::check_commas(const char *list, const std::string &text) const
   {
-    try
-      {
-        check_list_commas(text, ListNumbers::any);
-      }
-    catch (const InputError &error)
-      {
-        throw InputError("Sweep/Parameter " + name + "/" + list, error.what());
-      }
+    for_entry("Sweep/Parameter " + name + "/" + list,
+              [&] { check_list_commas(text, ListNumbers::any); });
   }
 
   std::vector<std::string> SweepParameter::list_values() const

@@ -3,7 +3,6 @@
 #include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
-#include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/command_line.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>

@@ -16,13 +16,7 @@ namespace vfife
     /** The columns that say which line a row is of. */
     Table make_table_of_lines()
     {
-      Table table;
-      table.add_text_column("wave");
-      table.add_column("nodal diameter", "-");
-      table.add_column("order", "-");
-      table.add_column("mesh order", "-");
-      table.add_text_column("solver");
-      return table;
+      return {{"wave"}, {"nodal diameter", "-"}, {"order", "-"}, {"mesh order", "-"}, {"solver"}};
     }
 
     /** Of a wave with diameters. */
@@ -123,15 +117,13 @@ namespace vfife
 
   Table make_wave_frequency_table()
   {
-    Table table;
-    table.add_text_column("wave");
-    table.add_column("nodal diameter", "-");
-    table.add_column("order", "-");
-    table.add_column(column::speed, "rpm");
-    table.add_column(column::frequency, "Hz");
-    table.add_column("fixed frequency", "Hz");
-    table.add_column("fixed frequency in contact", "Hz");
-    return table;
+    return {{"wave"},
+            {"nodal diameter", "-"},
+            {"order", "-"},
+            {column::speed, "rpm"},
+            {column::frequency, "Hz"},
+            {"fixed frequency", "Hz"},
+            {"fixed frequency in contact", "Hz"}};
   }
 
   void add_wave_frequency(const BodyWave &wave,
@@ -264,11 +256,7 @@ namespace vfife
     std::sort(ranges.begin(), ranges.end(), [](const Range &a, const Range &b) {
       return a.from < b.from;
     });
-    Table table;
-    table.add_column("from", "rpm");
-    table.add_column("to", "rpm");
-    table.add_column("stress amplification", "-");
-    table.add_text_column("waves");
+    Table table{{"from", "rpm"}, {"to", "rpm"}, {"stress amplification", "-"}, {"waves"}};
     for (std::size_t k = 0; k < ranges.size();)
       {
         Range whole = ranges[k];

@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/complex.h>
 #include <vfife/base/text/byte_stream.h>
+#include <vfife/base/types.h>
 #include <vfife/model/transmission.h>
 #include <vfife/study/waves/wave_record.h>
 

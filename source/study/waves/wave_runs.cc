@@ -1,11 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/complex.h>
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/byte_stream.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/base/text/number_text.h>
+#include <vfife/base/types.h>
 #include <vfife/model/model.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/result_places.h>

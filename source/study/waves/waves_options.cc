@@ -115,26 +115,16 @@ namespace vfife
 
   void WavesOptions::check(const std::string &section) const
   {
-    const auto read = [&section](const char *entry, const auto &function) {
-      try
-        {
-          return function();
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(section + "/" + entry, error.what());
-        }
-    };
     if (!(highest_speed > 0))
       throw InputError(
         section + "/highest speed",
         "expected a speed above 0, got 0. Set the range of speeds of the search for waves");
     if (!(highest_speed > lowest_speed))
       throw InputError(section + "/lowest speed", "must be below highest speed");
-    if (read("nodal diameters", [this] { return diameter_numbers(); }).empty())
+    if (for_entry(section + "/nodal diameters", [this] { return diameter_numbers(); }).empty())
       throw InputError(section + "/nodal diameters",
                        "expected at least one number of nodal diameters, got none");
-    if (read("speed offsets", [this] { return offset_parts(); }).size() < 3)
+    if (for_entry(section + "/speed offsets", [this] { return offset_parts(); }).size() < 3)
       throw InputError(section + "/speed offsets",
                        "expected at least three offsets, such as -1 %, 0 %, 1 %");
   }

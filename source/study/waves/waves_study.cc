@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameter_file.h>
-#include <vfife/base/parameters/section_of_options.h>
+#include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/command_line.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
@@ -160,12 +160,8 @@ namespace vfife
       /** Throws InputError for diameters without a mode of the body. */
       void require_waves(const ReducedBody &body) const;
       struct Tools;
-      void               drive(Tools                  &tools,
-                               const Model            &model,
-                               const StressWavePlaces &places,
-                               const OutputFolder     &folder,
-                               Log                    &log,
-                               std::vector<WaveLine>  &lines) const;
+      void
+      drive(Tools &tools, const OutputFolder &folder, Log &log, std::vector<WaveLine> &lines) const;
       WaveSchedule       schedule(const Tools &tools, const WaveLine &line, double speed) const;
       ReducedPairOptions pair_options() const;
 
@@ -210,14 +206,7 @@ namespace vfife
     void WavesStudy::require_waves(const ReducedBody &body) const
     {
       for (const unsigned int n : options_.diameter_numbers())
-        try
-          {
-            find_harmonic(body, n);
-          }
-        catch (const InputError &error)
-          {
-            throw InputError("Waves/nodal diameters", error.what());
-          }
+        for_entry("Waves/nodal diameters", [&] { find_harmonic(body, n); });
     }
 
     ReducedPairOptions WavesStudy::pair_options() const
@@ -232,35 +221,29 @@ namespace vfife
     /** What lines have in common: waves of the driven body, their drive and its linear theory. */
     struct WavesStudy::Tools
     {
-      WaveDriver     driver;
-      StaticPassage  passage;
-      LinearResponse linear;
-      LineTheory     theory;
-      double         cutoff; ///< of the modes that the bodies have [Hz]
+      const WavesOptions             &waves;
+      const Model                    &model;
+      const std::vector<ReducedBody> &bodies;
+      ReducedPairOptions              options;
+      unsigned int                    n_steps; ///< of a mesh cycle
+      const StressWavePlaces         &places;
+      ReducedPair                    &pair;
 
-      Tools(const WavesOptions             &waves,
-            const Model                    &model,
-            const std::vector<ReducedBody> &bodies,
-            const ReducedPairOptions       &options,
-            const unsigned int              n_steps,
-            const StressWavePlaces         &places,
-            ReducedPair                    &pair)
-        : driver(model, pair, places)
-        , passage(model, pair, n_steps)
-        , linear(bodies[model.only_transmission()->driven],
-                 passage,
-                 {options.damping, options.mesh_damping},
-                 pair.sector_sense(model.only_transmission()->driven),
-                 model.only_transmission()->driven_sense)
-        , theory(waves,
-                 *model.only_transmission(),
-                 model.bodies[model.only_transmission()->driven].rate < 0 ? -1. : 1.,
-                 model.only_transmission()->driver_rate,
-                 linear,
-                 driver)
-        , cutoff(find_kept_cutoff(bodies))
-      {
-      }
+      const Transmission &transmission = *model.only_transmission();
+      WaveDriver          driver{model, pair, places};
+      StaticPassage       passage{model, pair, n_steps};
+      LinearResponse      linear{bodies[transmission.driven],
+                            passage,
+                            {options.damping, options.mesh_damping},
+                            pair.sector_sense(transmission.driven),
+                            transmission.driven_sense};
+      LineTheory          theory{waves,
+                        transmission,
+                        model.bodies[transmission.driven].rate < 0 ? -1. : 1.,
+                        transmission.driver_rate,
+                        linear,
+                        driver};
+      double cutoff = find_kept_cutoff(bodies); ///< of the modes that the bodies have [Hz]
     };
 
     WaveSchedule
@@ -279,14 +262,13 @@ namespace vfife
       return schedule;
     }
 
-    void WavesStudy::drive(Tools                  &tools,
-                           const Model            &model,
-                           const StressWavePlaces &places,
-                           const OutputFolder     &folder,
-                           Log                    &log,
-                           std::vector<WaveLine>  &lines) const
+    void WavesStudy::drive(Tools                 &tools,
+                           const OutputFolder    &folder,
+                           Log                   &log,
+                           std::vector<WaveLine> &lines) const
     {
-      const WaveRuns           runs(runner_, own_, model, places, folder, log, resumes_);
+      const StressWavePlaces  &places = tools.places;
+      const WaveRuns           runs(runner_, own_, tools.model, places, folder, log, resumes_);
       std::vector<NamedSolver> solvers;
       if (drives_runs())
         solvers.push_back({"run", [&runs](const auto &...what) { return runs.drive(what...); }});
@@ -329,8 +311,8 @@ namespace vfife
       std::optional<NearestWave> nearest;
       try
         {
-          Tools tools(
-            options_, model, bodies, pair_options(), reduced_.steps_per_mesh, places, pair);
+          Tools tools{
+            options_, model, bodies, pair_options(), reduced_.steps_per_mesh, places, pair};
           log.line("static curves over a mesh cycle: contact, teeth and driver contribute ",
                    100. * tools.linear.contact_compliance() * tools.passage.stiffness(),
                    " % of the static rotation");
@@ -345,7 +327,7 @@ namespace vfife
           for (const WaveLine &line : lines)
             log_wave_line(line, log);
           if (options_.driven)
-            drive(tools, model, places, folder, log, lines);
+            drive(tools, folder, log, lines);
         }
       catch (const NumericalError &error)
         {

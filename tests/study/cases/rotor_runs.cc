@@ -7,7 +7,6 @@
 #include "../quick_pair.h"
 #include "../short_rotor.h"
 
-#include <vfife/base/complex.h>
 #include <vfife/base/types.h>
 #include <vfife/bearing/rolling_bearing.h>
 #include <vfife/mesh/primitives/stepped_shaft.h>

@@ -3,7 +3,6 @@
 // leaves of known vibrations, and what passes the sectors of a body with the mesh cycle.
 #include "../../tests.h"
 
-#include <vfife/base/complex.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/types.h>
 #include <vfife/dynamics/dynamics_options.h>

@@ -7,7 +7,7 @@
 #include "../gear_model.h"
 #include "../quick_pair.h"
 
-#include <vfife/base/complex.h>
+#include <vfife/base/types.h>
 #include <vfife/study/stress_waves/stress_wave_places.h>
 
 #include <cmath>

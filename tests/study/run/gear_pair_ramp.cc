@@ -65,7 +65,7 @@ namespace
     });
     State         state;
     stepped.solver.start(state);
-    make_start(model, dynamics, stepped.solver, nullptr, world, log)->prepare(state);
+    make_start({model, dynamics, stepped.solver, nullptr, world, log})->prepare(state);
 
     const double mesh = 1. / gear_case.mesh_frequency(), end = 2. / 3 * mesh;
     double       impulse = 0, before = 0, first = 0, last = 0, load = 0;

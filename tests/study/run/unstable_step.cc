@@ -66,10 +66,11 @@ namespace
       bound_largest_frequency(model, stepped.solver.vfife_operator(), world).ritz_value;
     const double dt = part * 2 / std::sqrt(frequency);
     stepped.solver.set_step(dt);
-    const auto       start    = make_start(model, options, stepped.solver, nullptr, world, log);
+    const auto       start    = make_start({model, options, stepped.solver, nullptr, world, log});
     const double     end_time = n_steps * dt;
-    ExplicitStepping stepping(
-      folder, log, model, stepped.solver, *start, output, {sample_steps, end_time, end_time});
+    ExplicitStepping stepping({folder, log, model, output, {sample_steps, end_time, end_time}},
+                              stepped.solver,
+                              *start);
     stepping.observers().add<HistoryWriter>(model, sample_steps);
     stepping.run(
       nullptr, [] {}, [] {});

@@ -2,15 +2,12 @@
 #ifndef vfife_base_parameters_declared_section_h
 #define vfife_base_parameters_declared_section_h
 
+#include <vfife/base/parameter_handler.h>
+
 #include <functional>
 #include <string>
 #include <utility>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {
@@ -43,18 +40,10 @@ namespace vfife
 
     std::vector<std::string> section_names() const;
 
-    /** Path ("A/B/name") and present text of all entries at or below this section; @p path leads
-     * here. */
-    std::vector<std::pair<std::string, std::string>>
-    list_values(const std::string &path = "") const;
-
-    /** The same of their defaults, in the same order. */
-    std::vector<std::pair<std::string, std::string>>
-    list_defaults(const std::string &path = "") const;
-
-    /** The same of their patterns, in the same order. */
-    std::vector<std::pair<std::string, std::string>>
-    list_patterns(const std::string &path = "") const;
+    /** Path ("A/B/name") and @p text, as &Entry::value, of all entries at or below this section;
+     * @p path leads here. */
+    std::vector<std::pair<std::string, std::string>> list_texts(std::string Entry::*text,
+                                                                const std::string &path = "") const;
 
     /** "A/B/name = value unit" of all entries at or below this section that have another text than
      * in @p other, where the same is declared. */
@@ -68,9 +57,6 @@ namespace vfife
     std::vector<std::string> paths_of_section(const std::string &section) const;
 
   private:
-    std::vector<std::pair<std::string, std::string>> list_texts(std::string Entry::*text,
-                                                                const std::string  &path) const;
-
     /** Paths of the sections that are meant, at or below this one, to which @p path leads. */
     std::vector<std::string>
     list_paths(const std::function<bool(const DeclaredSection &)> &is_meant,

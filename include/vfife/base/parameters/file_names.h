@@ -2,15 +2,11 @@
 #ifndef vfife_base_parameters_file_names_h
 #define vfife_base_parameters_file_names_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/base/parameters/declared_section.h>
 
 #include <functional>
 #include <string>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

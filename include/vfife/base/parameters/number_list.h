@@ -2,13 +2,10 @@
 #ifndef vfife_base_parameters_number_list_h
 #define vfife_base_parameters_number_list_h
 
+#include <vfife/base/parameter_handler.h>
+
 #include <string>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

@@ -3,6 +3,7 @@
 #define vfife_base_parameters_parameter_file_h
 
 #include <vfife/base/errors.h>
+#include <vfife/base/parameter_handler.h>
 #include <vfife/base/parameters/declared_section.h>
 #include <vfife/base/parameters/parameter_statement.h>
 
@@ -10,11 +11,6 @@
 #include <iosfwd>
 #include <string>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

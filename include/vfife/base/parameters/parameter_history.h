@@ -2,17 +2,13 @@
 #ifndef vfife_base_parameters_parameter_history_h
 #define vfife_base_parameters_parameter_history_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/base/parameters/expression.h>
 
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

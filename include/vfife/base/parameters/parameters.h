@@ -2,6 +2,7 @@
 #ifndef vfife_base_parameters_parameters_h
 #define vfife_base_parameters_parameters_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/base/types.h>
 
 #include <functional>
@@ -9,11 +10,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {
@@ -31,6 +27,14 @@ namespace vfife
   private:
     dealii::ParameterHandler &prm_;
   };
+
+  /** Declares options that have a section of their own, which they do not name themselves. */
+  template <typename Options>
+  void declare_section(dealii::ParameterHandler &prm, const std::string &name, Options &options)
+  {
+    const Subsection section(prm, name);
+    options.declare(prm);
+  }
 
   /** What a number may be; the words appear in the message and in the description. */
   struct Range
@@ -128,6 +132,22 @@ namespace vfife
                        const std::string        &meaning,
                        unsigned int              lowest  = 0,
                        unsigned int              highest = std::numeric_limits<int>::max());
+
+  /** A whole number, or a word in its place. */
+  struct NumberOrWord
+  {
+    unsigned int number  = 0;     ///< kept where the word is given
+    bool         is_word = false; ///< the word is given
+  };
+
+  /** Declares a whole number in [lowest, highest] or @p word; the default is that of @p value. */
+  void declare_number_or_word(dealii::ParameterHandler &prm,
+                              const std::string        &name,
+                              NumberOrWord             &value,
+                              const std::string        &word,
+                              const std::string        &meaning,
+                              unsigned int              lowest,
+                              unsigned int              highest);
 
   /** Declares a yes/no entry (yes, no, true, false). */
   void declare_switch(dealii::ParameterHandler &prm,

@@ -27,6 +27,9 @@ namespace vfife
   /** The finite number that @p text is, with blanks around it and nothing else; nothing where it is
    * none. */
   std::optional<double> plain_number(const std::string &text);
+
+  /** The number of one of so many @p teeth, counted from 0. Throws InputError for another text. */
+  unsigned int read_tooth_number(const std::string &text, unsigned int teeth);
 } // namespace vfife
 
 #endif

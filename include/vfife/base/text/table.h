@@ -48,6 +48,13 @@ namespace vfife
       bool        is_text = false;
     };
 
+    /** What a column is called: of numbers with their unit, of texts without. */
+    struct Heading
+    {
+      std::string name;
+      std::string unit = {};
+    };
+
     struct Column
     {
       std::string              name;
@@ -56,6 +63,11 @@ namespace vfife
       std::vector<double>      numbers; ///< empty for texts
       std::vector<std::string> texts;   ///< empty for numbers
     };
+
+    Table() = default;
+
+    /** A table of these columns, without rows. */
+    Table(std::initializer_list<Heading> headings);
 
     /** Adds a column of numbers. Columns can be added as long as there are no rows. */
     void add_column(const std::string &name, const std::string &unit);

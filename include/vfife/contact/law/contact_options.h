@@ -2,7 +2,6 @@
 #ifndef vfife_contact_law_contact_options_h
 #define vfife_contact_law_contact_options_h
 
-#include <vfife/base/parameters/number_or_word.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/contact/law/friction_options.h>
 #include <vfife/contact/law/penalty_options.h>

@@ -3,12 +3,25 @@
 #define vfife_contact_law_penalty_options_h
 
 #include <vfife/base/parameters/parameters.h>
-#include <vfife/contact/law/contact_laws.h>
+#include <vfife/contact/law/contact_law.h>
 
 #include <string>
 
 namespace vfife
 {
+  /** The penalty of contacts of general models is this times E* over h, E* the modulus of what
+   * gives way and h the width of the facet that is pressed (doc/theory/contact.md, Penalty). */
+  constexpr double facet_penalty_over_stiffness = 5.;
+
+  /** eps [N/mm^3] of a facet of the @p width [mm] where E* is @p modulus [MPa]. */
+  inline double compute_facet_penalty(const double modulus, const double width)
+  {
+    return facet_penalty_over_stiffness * modulus / width;
+  }
+
+  /** All laws that a user may choose, the default first: a new one is a row here. */
+  const Choices<MakeContactLaw> &contact_laws();
+
   /**
    * The penalty eps [N/mm^3] of a contact between two bodies, or between a body and a rigid wall,
    * and the law that it scales: entries, and what it does to the largest stable step.

@@ -2,16 +2,15 @@
 #ifndef vfife_contact_pass_contact_pass_h
 #define vfife_contact_pass_contact_pass_h
 
+#include <vfife/base/types.h>
 #include <vfife/contact/contact_results.h>
-#include <vfife/contact/contact_times.h>
-#include <vfife/contact/law/contact_spring.h>
 #include <vfife/contact/law/surface_interaction.h>
 #include <vfife/contact/pass/pass_surfaces.h>
 #include <vfife/contact/pass/point_lists.h>
 #include <vfife/contact/pass/stick_slip.h>
-#include <vfife/contact/pass/touch.h>
 #include <vfife/contact/touching_point.h>
 
+#include <array>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -19,6 +18,34 @@
 namespace vfife
 {
   class ByteStream;
+
+  /**
+   * A contact point under pressure as a spring. With g the gap and w the weight of the edge, small
+   * motions of the corners change g sqrt(w) by
+   *   direction . (sum N_k dx_k of the slave's facet - sum N_k dx_k of the master's facet),
+   * and the tangent of the contact forces is k direction direction^T on the weighted corners, k the
+   * tangent of the contact law times the area. Left out is what turns the normal under pressure
+   * (the gap over the radius of curvature) and, in the strip where w < 1, what a law that is not
+   * linear adds: Newton's method with a line search gets along with it.
+   */
+  struct ContactSpring
+  {
+    bool                        swapped = false; ///< second pass: the pair's master is the slave
+    std::array<unsigned int, 4> slave_nodes, master_nodes; ///< surface nodes
+    std::array<double, 4>       slave_weights, master_weights;
+    Vector3                     direction;     ///< on the slave, fixed frame [-]
+    double                      stiffness = 0; ///< tangent of the law times area [N/mm]
+  };
+
+  /** Processor time of the parts of a contact's evaluations, added up [s]. */
+  struct ContactTimes
+  {
+    double broad_search = 0.; ///< which groups (teeth) may touch
+    double motion       = 0.; ///< how far the groups have moved since their lists were made
+    double wide_search  = 0.; ///< which points may touch
+    double projection   = 0.; ///< where the points lie, and their gaps
+    double forces       = 0.; ///< of the points that touch
+  };
 
   /** One direction of a contact: the quadrature points of the slave against the facets of the
    * master. It describes the points that touch, and turns their pressures into forces. */

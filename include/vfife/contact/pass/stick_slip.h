@@ -6,13 +6,22 @@
 #include <vfife/contact/law/surface_interaction.h>
 #include <vfife/contact/pass/pass_surfaces.h>
 #include <vfife/contact/pass/point_list.h>
-#include <vfife/contact/pass/touch.h>
+#include <vfife/contact/touch_geometry.h>
 #include <vfife/contact/touching_point.h>
 
 #include <vector>
 
 namespace vfife
 {
+  /** Geometry of a touching point that its forces need beside the TouchingPoint. */
+  struct Touch
+  {
+    unsigned int list, point; ///< numbers of the list and of its point
+    Vector3      x;           ///< position on the slave's facet [mm]
+    Fading       fade;
+    TangentBasis basis;
+  };
+
   /** Friction at a point in one evaluation. */
   struct FrictionForce
   {

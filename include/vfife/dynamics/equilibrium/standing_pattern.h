@@ -39,7 +39,6 @@ namespace vfife
     /** Adds Omega u' to @p velocities [mm/s]. */
     void add_velocities(NodeField &velocities) const;
 
-
   private:
     struct Node
     {

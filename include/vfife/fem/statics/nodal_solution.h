@@ -23,6 +23,10 @@ namespace vfife
     unsigned int          n_iterations         = 0; ///< 0: direct solver
   };
 
+  /** What the supports of the model (list_supports()) exert in a static solution, on the bodies at
+   * their undeformed places; zero on bodies that are not part of the space. */
+  std::vector<Reaction> compute_reactions(const FemSpace &space, const StaticResult &result);
+
   NodalSolution make_nodal_solution(const StaticSolver &solver, const StaticResult &result);
 } // namespace vfife
 

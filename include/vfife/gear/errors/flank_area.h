@@ -2,12 +2,8 @@
 #ifndef vfife_gear_errors_flank_area_h
 #define vfife_gear_errors_flank_area_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/gear/gear_geometry.h>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

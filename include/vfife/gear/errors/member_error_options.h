@@ -2,15 +2,11 @@
 #ifndef vfife_gear_errors_member_error_options_h
 #define vfife_gear_errors_member_error_options_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/gear/errors/flank_deviation.h>
 
 #include <string>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

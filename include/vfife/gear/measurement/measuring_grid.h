@@ -2,16 +2,12 @@
 #ifndef vfife_gear_measurement_measuring_grid_h
 #define vfife_gear_measurement_measuring_grid_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/base/text/table.h>
 #include <vfife/gear/errors/flank_area.h>
 
 #include <string>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

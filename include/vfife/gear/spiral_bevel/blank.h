@@ -7,11 +7,6 @@
 
 #include <string>
 
-namespace dealii
-{
-  class ParameterHandler;
-}
-
 namespace vfife
 {
   class Findings;

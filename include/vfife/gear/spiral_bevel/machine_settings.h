@@ -2,14 +2,10 @@
 #ifndef vfife_gear_spiral_bevel_machine_settings_h
 #define vfife_gear_spiral_bevel_machine_settings_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/base/types.h>
 
 #include <string>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

@@ -2,15 +2,11 @@
 #ifndef vfife_gear_spiral_bevel_pair_proposal_h
 #define vfife_gear_spiral_bevel_pair_proposal_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/base/types.h>
 #include <vfife/gear/spiral_bevel/gear_member_options.h>
 
 #include <string>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

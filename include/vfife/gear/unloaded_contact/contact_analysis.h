@@ -2,6 +2,7 @@
 #ifndef vfife_gear_unloaded_contact_contact_analysis_h
 #define vfife_gear_unloaded_contact_contact_analysis_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/base/text/table.h>
 #include <vfife/gear/driving.h>
 #include <vfife/gear/unloaded_contact/edge_contact.h>
@@ -9,11 +10,6 @@
 #include <array>
 #include <string>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

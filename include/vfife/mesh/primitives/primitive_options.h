@@ -2,17 +2,13 @@
 #ifndef vfife_mesh_primitives_primitive_options_h
 #define vfife_mesh_primitives_primitive_options_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/mesh/body_mesh.h>
 
 #include <array>
 #include <memory>
 #include <string>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {
@@ -31,8 +27,6 @@ namespace vfife
 
     /** Names of all shapes, in the order of the table. */
     static std::vector<std::string> shapes();
-
-    const char *shape() const;
 
     /** Declares the shape's sizes [mm] and numbers of cells in the current section. Bound by
      * address: the object must stay where it is until the file has been read. */

@@ -2,17 +2,13 @@
 #ifndef vfife_mesh_primitives_stepped_shaft_h
 #define vfife_mesh_primitives_stepped_shaft_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/mesh/shaft_sections.h>
 
 #include <memory>
 #include <string>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

@@ -2,15 +2,11 @@
 #ifndef vfife_model_options_body_materials_h
 #define vfife_model_options_body_materials_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/element/material.h>
 
 #include <string>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

@@ -2,6 +2,8 @@
 #ifndef vfife_output_files_output_folder_h
 #define vfife_output_files_output_folder_h
 
+#include <vfife/base/parameter_handler.h>
+
 #include <fstream>
 #include <functional>
 #include <iosfwd>
@@ -11,11 +13,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

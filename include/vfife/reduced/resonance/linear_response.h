@@ -2,7 +2,7 @@
 #ifndef vfife_reduced_resonance_linear_response_h
 #define vfife_reduced_resonance_linear_response_h
 
-#include <vfife/base/complex.h>
+#include <vfife/base/types.h>
 #include <vfife/reduced/modal_motion.h>
 #include <vfife/reduced/reduced_body.h>
 

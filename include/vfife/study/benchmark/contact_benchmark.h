@@ -2,13 +2,9 @@
 #ifndef vfife_study_benchmark_contact_benchmark_h
 #define vfife_study_benchmark_contact_benchmark_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/base/text/table.h>
 #include <vfife/model/model.h>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

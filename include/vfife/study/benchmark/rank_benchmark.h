@@ -2,12 +2,8 @@
 #ifndef vfife_study_benchmark_rank_benchmark_h
 #define vfife_study_benchmark_rank_benchmark_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/base/text/table.h>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

@@ -2,15 +2,11 @@
 #ifndef vfife_study_cases_case_h
 #define vfife_study_cases_case_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/model/model.h>
 
 #include <string>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

@@ -2,17 +2,13 @@
 #ifndef vfife_study_cases_operation_options_h
 #define vfife_study_cases_operation_options_h
 
-#include <vfife/base/parameters/number_or_word.h>
+#include <vfife/base/parameter_handler.h>
 #include <vfife/base/parameters/parameter_history.h>
+#include <vfife/base/parameters/parameters.h>
 #include <vfife/base/types.h>
 #include <vfife/gear/unloaded_contact/contact_analysis.h>
 
 #include <string>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

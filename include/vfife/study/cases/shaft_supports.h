@@ -2,16 +2,12 @@
 #ifndef vfife_study_cases_shaft_supports_h
 #define vfife_study_cases_shaft_supports_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/model/options/bearing_options.h>
 
 #include <string>
 #include <utility>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

@@ -2,6 +2,7 @@
 #ifndef vfife_study_compare_comparison_h
 #define vfife_study_compare_comparison_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/base/text/table.h>
 #include <vfife/base/types.h>
 #include <vfife/study/compare/compared_case.h>
@@ -9,11 +10,6 @@
 #include <optional>
 #include <string>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

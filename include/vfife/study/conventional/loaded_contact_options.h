@@ -2,12 +2,8 @@
 #ifndef vfife_study_conventional_loaded_contact_options_h
 #define vfife_study_conventional_loaded_contact_options_h
 
-#include <vfife/base/parameters/number_or_word.h>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
+#include <vfife/base/parameter_handler.h>
+#include <vfife/base/parameters/parameters.h>
 
 namespace vfife
 {

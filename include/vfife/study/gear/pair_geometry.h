@@ -2,6 +2,7 @@
 #ifndef vfife_study_gear_pair_geometry_h
 #define vfife_study_gear_pair_geometry_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/base/text/json.h>
 #include <vfife/mesh/gear/gear_body_options.h>
 #include <vfife/output/files/figures.h>
@@ -10,11 +11,6 @@
 #include <optional>
 #include <string>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

@@ -12,6 +12,11 @@
 
 namespace vfife
 {
+  /** Where a point of a flank at radius and height @p r_z [mm] of its body frame is: along the face
+   * from the mean cone distance, > 0 to the heel, and along the profile from the pitch cone, > 0 to
+   * the tip [mm]. */
+  Vector2 place_on_flank(const BlankOutline &blank, const Vector2 &r_z);
+
   /** What a row of the tables is of. */
   enum class PressureRows
   {

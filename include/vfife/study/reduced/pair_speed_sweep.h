@@ -2,6 +2,7 @@
 #ifndef vfife_study_reduced_pair_speed_sweep_h
 #define vfife_study_reduced_pair_speed_sweep_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/base/text/table.h>
 #include <vfife/lumped/speed_sweep.h>
 #include <vfife/reduced/reduced_options.h>
@@ -15,17 +16,14 @@
 #include <string>
 #include <vector>
 
-namespace dealii
-{
-  class ParameterHandler;
-}
-
 namespace vfife
 {
   class Log;
+  class OutputFolder;
   class ReducedPair;
   class StressWavePlaces;
   struct Model;
+  struct RunSummary;
   struct SpeedSample;
   struct State;
 
@@ -157,6 +155,13 @@ namespace vfife
     SlowMesh                slow_mesh_;
     Table                   resonance_, waves_, stresses_;
   };
+
+  /**
+   * Does the sweep and writes its tables after each speed, exceedances.csv and @p summary at the
+   * end, which has what was known before. Throws NumericalError after that, and Interrupted where a
+   * signal has come. Collective.
+   */
+  void run_speed_sweep(PairSpeedSweep &sweep, RunSummary &summary, OutputFolder &folder, Log &log);
 } // namespace vfife
 
 #endif

@@ -17,14 +17,8 @@ namespace vfife
   class ReducedRun : public Stepping
   {
   public:
-    /** Everything given but the times must outlive the object. @p dt: the pair's step [s]. */
-    ReducedRun(OutputFolder        &folder,
-               Log                 &log,
-               Model               &model,
-               ReducedPair         &pair,
-               double               dt,
-               const OutputOptions &output,
-               const RunTimes      &times);
+    /** @p pair must outlive the object. @p dt: the pair's step [s]. */
+    ReducedRun(const RunMeans &means, ReducedPair &pair, double dt);
 
     /** The motion begins in the steady vibration of the swing, damped by @p mesh_damping [1/s],
      * instead of at rest (find_steady_swing()). */

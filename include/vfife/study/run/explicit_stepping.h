@@ -18,15 +18,9 @@ namespace vfife
   class ExplicitStepping : public Stepping
   {
   public:
-    /** Everything given but the times must outlive the object. The step of @p solver is set; the
-     * first one is where @p start takes the state. */
-    ExplicitStepping(OutputFolder        &folder,
-                     Log                 &log,
-                     Model               &model,
-                     ExplicitSolver      &solver,
-                     RunStart            &start,
-                     const OutputOptions &output,
-                     const RunTimes      &times);
+    /** Everything given must outlive the object. The step of @p solver is set; the first one is
+     * where @p start takes the state. */
+    ExplicitStepping(const RunMeans &means, ExplicitSolver &solver, RunStart &start);
 
     /** Adds the fields as often as @p output says for a step of @p dt [s]; never: on SIGUSR1 only.
      */

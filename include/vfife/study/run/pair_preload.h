@@ -13,14 +13,8 @@
 
 namespace vfife
 {
-  class Communicator;
-  class Compliance;
-  class ExplicitSolver;
-  class Log;
   class PairStart;
   class StandingPattern;
-  struct DynamicsOptions;
-  struct Model;
   struct RunSummary;
 
   /** What the equilibrium of a loaded gear pair before the start tells; parts that its solver does
@@ -61,13 +55,7 @@ namespace vfife
   class PreloadedPair : public RunStart
   {
   public:
-    /** @p compliance: make_start()'s. */
-    PreloadedPair(const Model                &model,
-                  const DynamicsOptions      &options,
-                  ExplicitSolver             &solver,
-                  std::shared_ptr<Compliance> compliance,
-                  const Communicator         &communicator,
-                  Log                        &log);
+    explicit PreloadedPair(const StartMeans &means);
 
     void               prepare(State &state) override;
     void               serialize(ByteStream &stream) override;
@@ -87,13 +75,8 @@ namespace vfife
                State             &state) const;
     void log_preload() const;
 
-    const Model                &model_;
-    const DynamicsOptions      &options_;
-    ExplicitSolver             &solver_;
-    std::shared_ptr<Compliance> compliance_; ///< until prepare() has used it
-    const Communicator         &communicator_;
-    Log                        &log_;
-    PairPreload                 preload_;
+    StartMeans  means_;
+    PairPreload preload_;
   };
 } // namespace vfife
 

@@ -2,11 +2,31 @@
 #ifndef vfife_study_run_run_start_h
 #define vfife_study_run_run_start_h
 
+#include <memory>
+
 namespace vfife
 {
   class ByteStream;
+  class Communicator;
+  class Compliance;
+  class ExplicitSolver;
+  class Log;
+  struct DynamicsOptions;
+  struct Model;
   struct PairPreload;
   struct State;
+
+  /** What a run starts with. Everything must outlive the start. */
+  struct StartMeans
+  {
+    const Model           &model;
+    const DynamicsOptions &options;
+    ExplicitSolver        &solver;
+    /** Of the model, as PairStart asks for, until the start has used it; or nullptr. */
+    std::shared_ptr<Compliance> compliance;
+    const Communicator         &communicator;
+    Log                        &log;
+  };
 
   /** How a run comes to where its first step begins, and what is learned on the way. */
   class RunStart

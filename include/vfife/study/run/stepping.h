@@ -2,14 +2,16 @@
 #ifndef vfife_study_run_stepping_h
 #define vfife_study_run_stepping_h
 
+#include <vfife/model/observer.h>
 #include <vfife/model/state.h>
 #include <vfife/output/files/run_checkpoints.h>
 #include <vfife/output/files/summary.h>
 #include <vfife/study/cases/run_length.h>
-#include <vfife/study/run/run_observers.h>
 
 #include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 
 namespace vfife
 {
@@ -20,6 +22,44 @@ namespace vfife
   class RunSignals;
   struct Checkpoint;
 
+  /** What looks at a run and writes into its folder. */
+  class RunObservers
+  {
+  public:
+    /** The folder must outlive the object. */
+    explicit RunObservers(const OutputFolder &folder)
+      : folder_(folder)
+    {
+    }
+
+    /** Adds an observer, made of the folder and the arguments. */
+    template <typename Writer, typename... Arguments>
+    const Writer &add(Arguments &&...arguments)
+    {
+      list_.push_back(std::make_unique<Writer>(folder_, std::forward<Arguments>(arguments)...));
+      return static_cast<const Writer &>(*list_.back());
+    }
+
+    Observers &list()
+    {
+      return list_;
+    }
+
+  private:
+    const OutputFolder &folder_;
+    Observers           list_;
+  };
+
+  /** What a run works with. Everything but the times must outlive it. */
+  struct RunMeans
+  {
+    OutputFolder        &folder;
+    Log                 &log;
+    Model               &model;
+    const OutputOptions &output;
+    RunTimes             times;
+  };
+
   /**
    * The time steps of a run from its start, or from a checkpoint, to its end, whatever solver takes
    * them: observers, checkpoints, signals, failure, summary.json. A run that goes on from a
@@ -28,12 +68,7 @@ namespace vfife
   class Stepping
   {
   public:
-    /** Everything given but the times must outlive the object. */
-    Stepping(OutputFolder        &folder,
-             Log                 &log,
-             Model               &model,
-             const OutputOptions &output,
-             const RunTimes      &times);
+    explicit Stepping(const RunMeans &means);
     virtual ~Stepping();
 
     OutputFolder &folder() const

@@ -2,16 +2,12 @@
 #ifndef vfife_study_sweep_sweep_runs_h
 #define vfife_study_sweep_sweep_runs_h
 
+#include <vfife/base/parameter_handler.h>
 #include <vfife/study/sweep/error_bars.h>
 
 #include <cstddef>
 #include <string>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

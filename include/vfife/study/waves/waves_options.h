@@ -2,13 +2,10 @@
 #ifndef vfife_study_waves_waves_options_h
 #define vfife_study_waves_waves_options_h
 
+#include <vfife/base/parameter_handler.h>
+
 #include <string>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace vfife
 {

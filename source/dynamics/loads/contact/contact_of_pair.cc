@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
-#include <vfife/contact/law/facet_penalty.h>
 #include <vfife/contact/law/hertz.h>
+#include <vfife/contact/law/penalty_options.h>
 #include <vfife/dynamics/loads/contact/contact_of_pair.h>
 #include <vfife/mesh/body_mesh.h>
 

@@ -142,16 +142,11 @@ namespace vfife
     std::stable_sort(model.bearings.begin(),
                      model.bearings.end(),
                      [](const Bearing &a, const Bearing &b) { return a.body < b.body; });
-    try
-      {
-        model.housing = read_parameter_matrix(options_.housing);
-        BearingSystem(std::vector<BearingSystem::Seat>(model.bearings.size()))
-          .set_housing(model.housing);
-      }
-    catch (const InputError &error)
-      {
-        throw InputError(entry, std::string(error.what()));
-      }
+    for_entry(entry, [&] {
+      model.housing = read_parameter_matrix(options_.housing);
+      BearingSystem(std::vector<BearingSystem::Seat>(model.bearings.size()))
+        .set_housing(model.housing);
+    });
   }
 
   const char *PairModelBuilder::held_set(const unsigned int body) const

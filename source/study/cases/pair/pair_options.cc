@@ -2,7 +2,6 @@
 #include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
-#include <vfife/base/parameters/section_of_options.h>
 #include <vfife/contact/law/hertz.h>
 #include <vfife/mesh/gear/gear_body_check.h>
 #include <vfife/mesh/gear/gear_body_sizes.h>
@@ -14,8 +13,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace vfife
 {

@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/sample_measures.h>
 #include <vfife/base/text/column_names.h>
-#include <vfife/base/types.h>
 #include <vfife/output/files/result_places.h>
 #include <vfife/study/compare/nearest_mode.h>
 #include <vfife/study/compare/pair/bearing_comparison.h>

@@ -2,7 +2,7 @@
 #ifndef vfife_dynamics_loads_contact_contact_ranks_h
 #define vfife_dynamics_loads_contact_contact_ranks_h
 
-#include <vfife/contact/point_share.h>
+#include <vfife/contact/pass/point_list.h>
 #include <vfife/dynamics/loads/contact/contact_messages.h>
 #include <vfife/dynamics/loads/contact/contact_nodes.h>
 

@@ -2,8 +2,8 @@
 #ifndef vfife_dynamics_loads_contact_contact_system_h
 #define vfife_dynamics_loads_contact_contact_system_h
 
-#include <vfife/contact/contact_anchor.h>
 #include <vfife/contact/law/friction_law.h>
+#include <vfife/contact/pass/point_list.h>
 #include <vfife/contact/touching_point.h>
 #include <vfife/dynamics/loads/contact/contact_ranks.h>
 #include <vfife/dynamics/loads/contact/contact_sums.h>

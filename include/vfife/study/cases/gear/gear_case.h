@@ -3,8 +3,9 @@
 #define vfife_study_cases_gear_gear_case_h
 
 #include <vfife/gear/spiral_bevel/gear_pair.h>
-#include <vfife/study/cases/gear/gear_case_options.h>
+#include <vfife/gear/spiral_bevel/gear_pair_options.h>
 #include <vfife/study/cases/pair/pair_model_builder.h>
+#include <vfife/study/cases/pair/pair_options.h>
 #include <vfife/study/cases/torque_pressure.h>
 
 #include <array>
@@ -14,6 +15,26 @@
 
 namespace vfife
 {
+  /** The sections Gear pair, Material ... and Contact of a spiral bevel pair. */
+  struct GearCaseOptions : PairOptions
+  {
+    GearPairOptions pair;
+
+    GearCaseOptions();
+
+    /** The sections Gear pair and Material ... Bound by address. */
+    void declare_bodies(dealii::ParameterHandler &prm, const ParameterFile &file);
+
+    /** Throws InputError where pair, bodies, shafts and materials contradict themselves or each
+     * other. */
+    void check_bodies() const;
+
+    /** The same pair on the coarse mesh of PairCase::make_reference_model(). */
+    GearCaseOptions for_reference() const;
+    /** The same pair on the mesh of PairCase::make_submodel_mesh(). */
+    GearCaseOptions for_submodels(unsigned int cells_lengthwise) const;
+  };
+
   /** A spiral bevel gear pair from the sections Gear pair, Material ..., Operation and Contact. */
   class GearCase : public PairCase
   {
