@@ -119,4 +119,10 @@ inline void check_below(const std::string &name, const double value, const doubl
   check_close(name, value, 0., bound);
 }
 
+/** Two numbers must be equal within the tolerance of their ratio. */
+inline void check_ratio(const std::string &name, const double ratio, const double tolerance)
+{
+  check_close(name, ratio, 1., tolerance);
+}
+
 #endif

@@ -146,9 +146,8 @@ namespace
     const auto   energy = [&](const double turn) { return system.evaluate(q, {.2, turn}).energy; };
     const double turn = .7, h = 1e-4;
     const auto   response = system.evaluate(q, {.2, turn});
-    check_close("rolling cage: slope of the energy over differences",
+    check_ratio("rolling cage: slope of the energy over differences",
                 response.turn_slopes[1] * 2 * h / (energy(turn + h) - energy(turn - h)),
-                1.,
                 1e-4);
     check("rolling cage: the energy changes",
           std::abs(energy(turn + .5) / energy(turn) - 1) > 1e-5);

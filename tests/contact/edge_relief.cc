@@ -227,7 +227,7 @@ namespace
                         2. * depth / width * move / penetration);
           }
         else
-          check_close(name + ": the force jumps", step, 1., 1e-12);
+          check_ratio(name + ": the force jumps", step, 1e-12);
       }
   }
 

@@ -56,7 +56,7 @@ namespace
                     1.5 * (1. + nu) * (1. - 2. * nu) / (1. - nu),
                     1e-3);
         check_close("layer, nothing moves far away", 19.5 * layer.correction(19.5, 1.5), -1., 1e-3);
-        check_close("a deep layer", layer.correction(1., 1e6), 0., 1e-5);
+        check_below("a deep layer", layer.correction(1., 1e6), 1e-5);
       }
   }
 
@@ -141,12 +141,12 @@ namespace
             n,
             load,
             depth);
-    check_close(name + ", force", found.force / load, 1., 1e-12);
-    check_close(name + ", largest pressure", found.peak / peak, 1., 0.006);
+    check_ratio(name + ", force", found.force / load, 1e-12);
+    check_ratio(name + ", largest pressure", found.peak / peak, 0.006);
     for (unsigned int d = 0; d < 2; ++d)
-      check_close(name + ", half axis", found.half_widths[d] / axes[d], 1., 0.006);
+      check_ratio(name + ", half axis", found.half_widths[d] / axes[d], 0.006);
     if (depth == 0.)
-      check_close(name + ", approach", found.closing / hertz.approach(load), 1., 0.003);
+      check_ratio(name + ", approach", found.closing / hertz.approach(load), 0.003);
     check("... few iterations", found.iterations < 150);
     return found;
   }
@@ -198,7 +198,7 @@ namespace
                                       std::sqrt(a * a - found.points[i].squaredNorm()) -
                                     1.));
     check_below("punch, pressure within four fifths of its radius", worst, 0.02);
-    check_close("punch, approach", found.closing / (load / (2. * a * modulus)), 1., 0.01);
+    check_ratio("punch, approach", found.closing / (load / (2. * a * modulus)), 0.01);
   }
 
   /** A cylinder that ends: every row across it has the pressure of a line contact of its own
@@ -223,8 +223,8 @@ namespace
       return Vector2(peak / std::sqrt(density * modulus / (pi * radius)), density * length / load);
     };
     const double cell = length / (2. * n);
-    check_close("cylinder, middle, pressure over a line's", row(.5 * cell)[0], 1., 0.006);
-    check_close("cylinder, a quarter from its end", row(3. + .5 * cell)[0], 1., 0.006);
+    check_ratio("cylinder, middle, pressure over a line's", row(.5 * cell)[0], 0.006);
+    check_ratio("cylinder, a quarter from its end", row(3. + .5 * cell)[0], 0.006);
     check("cylinder, its end carries more",
           row(6. - .5 * cell)[1] > 1.2 && row(.5 * cell)[1] < 1. && row(.5 * cell)[1] > 0.9);
   }
@@ -241,9 +241,9 @@ namespace
                        700.);
     // Two of three carry: f = (closing arm - gap)/flexibility.
     const double closing = (700. * flexibility + 2. * 1e-3) / 5.;
-    check_close("arms, closing", found.closing / closing, 1., 1e-7);
-    check_close("arms, force of the first", found.forces[0] / (closing / flexibility), 1., 1e-7);
-    check_close("arms, load", found.forces.dot(arms) / 700., 1., 1e-12);
+    check_ratio("arms, closing", found.closing / closing, 1e-7);
+    check_ratio("arms, force of the first", found.forces[0] / (closing / flexibility), 1e-7);
+    check_ratio("arms, load", found.forces.dot(arms) / 700., 1e-12);
     check("arms, the third does not touch",
           found.forces[2] == 0. && std::abs(found.gaps[2] - (9e-3 - 4. * closing)) < 1e-9);
   }
@@ -316,7 +316,7 @@ namespace
       wanted.sum());
     check("ill-conditioned cells: by sets", n_products > 600 + n && found.iterations > 0);
     check_close("ill-conditioned cells: closing", found.closing, 2., 1e-8);
-    check_close("ill-conditioned cells: load", found.forces.sum() / wanted.sum(), 1., 1e-8);
+    check_ratio("ill-conditioned cells: load", found.forces.sum() / wanted.sum(), 1e-8);
     // A penetration within 1e-8 of the deflections is none: cells with a gap of 1e-6 may be loaded
     // that much, which the flexible directions amplify.
     check_below("ill-conditioned cells: forces", (found.forces - wanted).lpNorm<1>() / n, 1e-6);

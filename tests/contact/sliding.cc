@@ -201,7 +201,7 @@ namespace
                         6. / 0.0225 * 1.6e-7 * 1.01);
           }
         else
-          check_close("sharp edge: the force jumps", step, 1., 1e-12);
+          check_ratio("sharp edge: the force jumps", step, 1e-12);
       }
   }
 } // namespace

@@ -92,10 +92,7 @@ namespace
         if (step == 0)
           first = way.norm();
       }
-    check_close("circle: chord of the last step over that of the first",
-                way.norm() / first,
-                1.,
-                1e-12);
+    check_ratio("circle: chord of the last step over that of the first", way.norm() / first, 1e-12);
     check_close("circle: radius [mm]", across(old).norm(), across(start).norm(), 1e-13);
   }
 

@@ -112,9 +112,8 @@ namespace
                 1e-9);
     const double exact_energy =
       0.5 * E * width * std::pow(height, 3) / 12. * kappa * kappa * length;
-    check_close("incompatible modes: energy of pure bending, 20:1",
+    check_ratio("incompatible modes: energy of pure bending, 20:1",
                 0.5 * flat(u).dot(K * flat(u)) / exact_energy,
-                1.,
                 1e-9);
     const Matrix24 K_full = compute_stiffness(X, material, StiffnessKind::full);
     // Known from the shear that a trilinear element adds: about (L/h)^2 / (2 (1 + nu)) times too
@@ -174,7 +173,7 @@ namespace
     const Matrix24        K     = compute_stiffness(X, material, StiffnessKind::full);
     const double          omega = compute_largest_frequency(K, mass);
     const double          bar   = std::sqrt(material.youngs_modulus / material.density);
-    check_close("largest frequency of a cube, nu = 0", omega / bar, 1., 1e-12);
+    check_ratio("largest frequency of a cube, nu = 0", omega / bar, 1e-12);
     check_close("twice the size, half the frequency",
                 compute_largest_frequency(compute_stiffness(2. * X, material, StiffnessKind::full),
                                           compute_lumped_mass(2. * X, material.density)) /

@@ -233,17 +233,14 @@ namespace
                 table.column("wave").texts[i] == expected[i].wave &&
                 table.numbers("mesh order")[i] == expected[i].mesh_order &&
                 table.numbers("nodal diameter")[i] == diameter && table.numbers("order")[i] == 4);
-        check_close(name + "speed [rpm]",
+        check_ratio(name + "speed [rpm]",
                     table.numbers("speed")[i] / (sense * 60. * f0 / (k - slope)),
-                    1.,
                     1e-13);
-        check_close(name + "speed of the pinion [rpm]",
+        check_ratio(name + "speed of the pinion [rpm]",
                     table.numbers("pinion speed")[i] / (2.5 * 60. * f0 / (k - slope)),
-                    1.,
                     1e-13);
-        check_close(name + "frequency [Hz]",
+        check_ratio(name + "frequency [Hz]",
                     table.numbers("frequency")[i] / (k * f0 / (k - slope)),
-                    1.,
                     1e-13);
       }
   }

@@ -43,9 +43,8 @@ namespace
                     wrong,
                     1e-10);
         // What expands freely across stores nothing: E strain^2/2 of the volume.
-        check_close("heated bar, " + choice.first + ": energy over E strain^2 V/2",
+        check_ratio("heated bar, " + choice.first + ": energy over E strain^2 V/2",
                     result.strain_energy / (.5 * -stress * strain * 120.),
-                    1.,
                     1e-10);
       }
   }
@@ -88,9 +87,8 @@ namespace
                               communicator);
     const StaticResult result = solver.solve({});
     const double       x      = strip.model.bodies[0].node_positions()[strip.middle()][0];
-    check_close("bimetal strip: deflection over Timoshenko's",
+    check_ratio("bimetal strip: deflection over Timoshenko's",
                 result.displacements[3 * strip.middle() + 2] / (-.5 * strip.curvature() * x * x),
-                1.,
                 1e-4);
   }
 
@@ -130,9 +128,8 @@ namespace
         const double speed = model.bodies[0].sound_speed(), first = std::atan(std::sqrt(3.));
         const double angles[3] = {first, pi - first, pi + first};
         for (unsigned int k = 0; k < 3; ++k)
-          check_close("layered bar, frequency " + std::to_string(k + 1),
+          check_ratio("layered bar, frequency " + std::to_string(k + 1),
                       modes[k].frequency / (angles[k] * speed / (.5 * length) / (2. * pi)),
-                      1.,
                       tolerance);
       }
   }
@@ -157,9 +154,8 @@ namespace
     };
     const auto inside = [](const Vector3 &x) { return x.head<2>().norm() < 25.; };
     const auto whole = modes_of(false, inside), sector = modes_of(true, inside);
-    check_close("two materials and strains: the lowest mode by one sector over the whole ring",
+    check_ratio("two materials and strains: the lowest mode by one sector over the whole ring",
                 sector.front().frequency / whole.front().frequency,
-                1.,
                 1e-9);
     print_refusal([&] { modes_of(true, [](const Vector3 &x) { return x[0] > 0.; }); });
   }

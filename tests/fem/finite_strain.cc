@@ -94,23 +94,20 @@ namespace
     const Matrix3  H = e.asDiagonal();
     {
       const Matrix9 C = compute_strain_state(H, steel, StrainMeasure::biot).tangent;
-      check_close("biot: wave along the stretch", C(0, 0) / (lambda + 2. * mu), 1., 1e-13);
-      check_close("biot: wave across the stretch",
+      check_ratio("biot: wave along the stretch", C(0, 0) / (lambda + 2. * mu), 1e-13);
+      check_ratio("biot: wave across the stretch",
                   C(1, 1) / (2. * mu + (lambda * e.sum() - 2. * mu) / (2. + e[0] + e[1])),
-                  1.,
                   1e-13);
     }
     {
       const Matrix9 C = compute_strain_state(H, steel, StrainMeasure::green).tangent;
       const Vector3 E = e.array() + .5 * e.array().square();
       const double  S = lambda * E.sum() + 2. * mu * E[0];
-      check_close("green: wave along the stretch",
+      check_ratio("green: wave along the stretch",
                   C(0, 0) / (S + std::pow(1. + e[0], 2) * (lambda + 2. * mu)),
-                  1.,
                   1e-13);
-      check_close("green: wave across the stretch",
+      check_ratio("green: wave across the stretch",
                   C(1, 1) / (S + std::pow(1. + e[1], 2) * mu),
-                  1.,
                   1e-13);
     }
   }

@@ -53,34 +53,30 @@ namespace
     const double M = k * s + c * s_t, c0 = 50 * 20., c2 = 2 * .03 * std::sqrt(2e5 * 1.9e-3),
                  c3  = 2 * .06 * std::sqrt(1e9 * 9.);
     const auto rates = model.compute_rates(q, v, x, f);
-    check_close("torque of the mesh [N mm]", rates.mesh_torque / M, 1., 1e-12);
+    check_ratio("torque of the mesh [N mm]", rates.mesh_torque / M, 1e-12);
     const double expected[] = {(-8e5 + M - c0 * v[0]) / 20.,
                                ratio * (8e5 - M) / .3,
                                (-.004 * M - 2e5 * q[2] - c2 * v[2]) / 1.9e-3,
                                (.7 * M - 1e9 * q[3] - c3 * v[3]) / 9.};
     const char  *names[]    = {"gear", "pinion", "displacement", "tilt"};
     for (unsigned int j = 0; j < 4; ++j)
-      check_close(std::string("acceleration of the ") + names[j],
+      check_ratio(std::string("acceleration of the ") + names[j],
                   rates.acceleration[j] / expected[j],
-                  1.,
                   1e-12);
 
     // Torques, the flank's form that passes and the stiffness that changes bring energy.
-    check_close("power supplied [mJ/s]",
+    check_ratio("power supplied [mJ/s]",
                 rates.supplied / (-8e5 * v[0] + ratio * 8e5 * v[1] + M * u_t + k_x * f * s * s / 2),
-                1.,
                 1e-12);
-    check_close("power of the dampers [mJ/s]",
+    check_ratio("power of the dampers [mJ/s]",
                 rates.dissipated /
                   (c * s_t * s_t + c0 * v[0] * v[0] + c2 * v[2] * v[2] + c3 * v[3] * v[3]),
-                1.,
                 1e-12);
-    check_close("energy [mJ]",
+    check_ratio("energy [mJ]",
                 model.compute_energy(q, v, x) /
                   (.5 * (20. * v[0] * v[0] + .3 * v[1] * v[1] + 1.9e-3 * v[2] * v[2] +
                          9. * v[3] * v[3]) +
                    .5 * (2e5 * q[2] * q[2] + 1e9 * q[3] * q[3] + k * s * s)),
-                1.,
                 1e-12);
 
     // At rest the mesh carries the torque, and the supports their share of its force.
@@ -94,9 +90,8 @@ namespace
     q[0] += s + .5e-3;
     check_close("in the play: no torque", model.compute_rates(q, v, x, f).mesh_torque, 0., 0.);
     q[0] += 1e-3;
-    check_close("on the coast flanks [N mm]",
+    check_ratio("on the coast flanks [N mm]",
                 model.compute_rates(q, v, x, f).mesh_torque / (-.5e-3 * k + c * s_t),
-                1.,
                 1e-9);
   }
 
@@ -107,15 +102,14 @@ namespace
     pair.law.exponent         = 1.3;
     pair.law.reference_torque = 5e5;
     const double k            = 1.3 * 2.2e9 * std::pow(1.6, 1 - 1 / 1.3);
-    check_close("slope of the power law under the torque",
+    check_ratio("slope of the power law under the torque",
                 LumpedModel(pair).mesh_stiffness() / k,
-                1.,
                 1e-12);
 
     // The mean over the mesh of what varies.
     LumpedPair varying    = linear_pair();
     varying.law.stiffness = FourierSeries(2.2e9, {2e8, 1e8}, {3e8});
-    check_close("mean over the mesh", LumpedModel(varying).mesh_stiffness() / 2.2e9, 1., 1e-12);
+    check_ratio("mean over the mesh", LumpedModel(varying).mesh_stiffness() / 2.2e9, 1e-12);
 
     // One inertia: the damper's ratio, and half of the decay of the speed damping over the rate.
     LumpedPair damped     = linear_pair();
@@ -125,7 +119,7 @@ namespace
     const LumpedMode mode = LumpedModel(damped).find_modes().at(0);
     check_close("frequency [Hz]", mode.frequency, rate / (2 * pi), 1e-9);
     check_close("damping ratio", mode.damping_ratio, .05 + 600 / (2 * rate), 1e-13);
-    check_close("modal mass 1 t", mode.shape[0] * mode.shape[0] * 20., 1., 1e-13);
+    check_ratio("modal mass 1 t", mode.shape[0] * mode.shape[0] * 20., 1e-13);
   }
 
   void motion_table()
@@ -204,7 +198,7 @@ namespace
     check_close("slow: peak to peak error [arcsec]", r.pp_error / arcsecond, 4., 1e-5);
     check_close("slow: mean force [N]", r.mean_force, 8e5 / 90, 1e-3);
     check_close("slow: largest force [N]", r.largest_force, 8e5 / 90, 1e-1);
-    check_close("slow: peak to peak force [N]", r.pp_force, 0., 1e-1);
+    check_below("slow: peak to peak force [N]", r.pp_force, 1e-1);
     check("slow: flanks stay together", r.losses == 0 && r.time_apart == 0 && r.time_coast == 0);
   }
 } // namespace

@@ -94,7 +94,7 @@ namespace
     model.transmissions.front().driver_bore.clear();
     const Mounting gear_alone = PairMounting(model).measure(state, Communicator(MPI_COMM_SELF));
     check_close("the gear alone: its shift", gear_alone.gear_shift, -0.07, 1e-12);
-    check_close("the gear alone: none of the pinion", gear_alone.pinion_shift, 0., 1e-12);
+    check_below("the gear alone: none of the pinion", gear_alone.pinion_shift, 1e-12);
   }
 } // namespace
 

@@ -248,7 +248,7 @@ namespace
     const auto json = nlohmann::ordered_json::parse(read_text(folder.file("summary.json")));
     check("status", json["status"] == "finished" && !json.contains("failure"));
     check("mesh", json["mesh"]["cells"] == 4000 && json["mesh"]["bodies"][1]["nodes"] == 4000);
-    check_close("mass [kg]", json["mesh"]["bodies"][0]["mass"]["value"], 1, 1e-12);
+    check_ratio("mass [kg]", json["mesh"]["bodies"][0]["mass"]["value"], 1e-12);
     check_close("inertia [kg m^2]",
                 json["mesh"]["bodies"][1]["axial inertia"]["value"],
                 0.04,
@@ -259,9 +259,8 @@ namespace
     check("not a number is null", json["transmission error"]["wind-up"]["value"].is_null());
     check_close("energy error", json["energy"]["error"]["value"], 0.5, 1e-12);
     check_close("damping power [W]", json["damping audit"][0]["power"]["value"], 5000, 1e-9);
-    check_close("drift of rotation speed [rpm]",
+    check_ratio("drift of rotation speed [rpm]",
                 json["damping audit"][0]["drift of rotation speed"]["value"],
-                1,
                 1e-12);
     check_close("mean", json["steady part"]["columns"]["dte"]["mean"], -35.7, 0);
 

@@ -46,17 +46,15 @@ subsection Model
                        linear ? quiet_output() : model_text::relaxation("1e-9") + quiet_output(1)),
                    world);
         const double tolerance = linear ? 1e-8 : 2e-5;
-        check_close(kind + ": stretch over rho g L^2/(2 E)",
+        check_ratio(kind + ": stretch over rho g L^2/(2 E)",
                     h["tip displacement x"].back() / stretch,
-                    1.,
                     tolerance);
         check_close(kind + ": of the upper half, three quarters of it",
                     h["middle displacement x"].back() / stretch,
                     0.75,
                     tolerance);
-        check_close(kind + ": stress in the middle over rho g L/2",
+        check_ratio(kind + ": stress in the middle over rho g L/2",
                     h["middle stress x"].back() / (density * gravity * length / 2),
-                    1.,
                     tolerance);
       }
   }
@@ -86,15 +84,13 @@ subsection Model
     };
     const double expected = compliance("linear static", 1, false);
     for (const double force : {1e-6, 1e-3, 1.})
-      check_close("cantilever, force " + std::to_string(force) + " N: way over force",
+      check_ratio("cantilever, force " + std::to_string(force) + " N: way over force",
                   compliance("static", force, false) / expected,
-                  1.,
                   2e-5);
     // Ways have 2e-9 mm there. A large force changes the shape: the same force at the origin.
     for (const double force : {10., 1000.})
-      check_close("cantilever at 1e7 mm, force " + std::to_string(force) + " N: way over force",
+      check_ratio("cantilever at 1e7 mm, force " + std::to_string(force) + " N: way over force",
                   compliance("static", force, true) / compliance("static", force, false),
-                  1.,
                   2e-5);
   }
 
@@ -117,9 +113,8 @@ subsection Model
     auto         late = run("set nodes = x-\nset force = 100, 0, 0 N\n"
                             "set history = if(t > 0.1e-3, 1, 0)\n");
     const double mass = 1000 * density, speed = 100 / mass * 1e-4;
-    check_close("pushed late: momentum at the end over force times time",
+    check_ratio("pushed late: momentum at the end over force times time",
                 late["momentum x"].back() / (mass * speed),
-                1.,
                 1e-2);
     check_below("pushed late: energy error at the end",
                 std::abs(late["energy error"].back()),
@@ -168,9 +163,8 @@ subsection Model
     check_below("released: then the foot's wave pulls",
                 pulled,
                 0.5 * (time[1] - time[0]) / wave + 5e-3);
-    check_close("released: farthest way over twice the stretch",
+    check_ratio("released: farthest way over twice the stretch",
                 largest / (density * gravity * length * length / E),
-                1.,
                 5e-3);
   }
 
@@ -202,9 +196,8 @@ subsection Model
                      section("Material steel", "set Poisson's ratio = 0.3\n") +
                      (linear ? quiet_output() : quiet_output(1)),
                    world);
-        check_close(kind + ": plate pressed on its skins, growth over nu p/E",
+        check_ratio(kind + ": plate pressed on its skins, growth over nu p/E",
                     h["corner displacement x"].back() / (0.3 * 10 / E * 60),
-                    1.,
                     linear ? 1e-8 : 1e-3);
       }
   }
@@ -236,13 +229,11 @@ subsection Model
                      (kind == "static" ? model_text::relaxation("1e-7") : "") + quiet_output(),
                    world);
         // Chords of 6 degrees and cells of 2 x 3 mm: 2e-3 of the way, 7e-3 of the stress.
-        check_close(kind + ": displacement theta in the middle over B (1/r - r/b^2)",
+        check_ratio(kind + ": displacement theta in the middle over B (1/r - r/b^2)",
                     h["middle displacement theta"].back() / (B * (1 / 30. - 30. / 1600)),
-                    1.,
                     5e-3);
-        check_close(kind + ": shear stress r theta in the middle over -2 G B/r^2",
+        check_ratio(kind + ": shear stress r theta in the middle over -2 G B/r^2",
                     h["middle stress r theta"].back() / (-2 * G * B / 900),
-                    1.,
                     1e-2);
         check_below(kind + ": stress r there over it",
                     h["middle stress r"].back() / (2 * G * B / 900),
@@ -252,9 +243,8 @@ subsection Model
         const auto reactions = read_columns("twisted/reactions.csv");
         // Supports in the order of the file; what they exert on the ring.
         const double torque = 1e-3 * 4 * pi * G * B * 2;
-        check_close(kind + ": torque inside over 4 pi G B h",
+        check_ratio(kind + ": torque inside over 4 pi G B h",
                     reactions.at("torque about the axis")[0] / torque,
-                    1.,
                     5e-3);
         check_close(kind + ": torque outside over it",
                     reactions.at("torque about the axis")[1] / torque,

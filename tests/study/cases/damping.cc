@@ -45,17 +45,14 @@ namespace
     const double start = kinetic.front() + strain.front(), end = kinetic.back() + strain.back();
     // Within zeta/omega, 1.2 % of a half period's swing of the loss; omega = pi c/L = 1.6e5 1/s.
     const double time = run["time"].back() - run["time"].front();
-    check_close(name + ": logarithm of the energy over -zeta t",
+    check_ratio(name + ": logarithm of the energy over -zeta t",
                 std::log(end / start) / (-zeta * time),
-                1.,
                 1e-2);
-    check_close(name + ": damping loss over the energy lost",
+    check_ratio(name + ": damping loss over the energy lost",
                 run["damping loss"].back() / (start - end),
-                1.,
                 1e-3);
-    check_close(name + ": momentum stays",
+    check_ratio(name + ": momentum stays",
                 run["momentum " + along].back() / run["momentum " + along].front(),
-                1.,
                 guide.empty() ? 1e-12 : 1e-10);
   }
 
@@ -92,8 +89,8 @@ namespace
                           std::to_string(5 / frequency) + "\nend\n" + quiet_output(20),
                         world);
     const auto [decay, loss] = decay_of(run, 4 * pi * frequency * ratio);
-    check_close("clamped beam: decay over that of its ratio", decay, 1., 1e-2);
-    check_close("clamped beam: damping loss over the energy lost", loss, 1., 1e-3);
+    check_ratio("clamped beam: decay over that of its ratio", decay, 1e-2);
+    check_ratio("clamped beam: damping loss over the energy lost", loss, 1e-3);
   }
 
   /** A block on springs along x that flies across: the bounce decays, the flight stays. */
@@ -115,11 +112,10 @@ namespace
         std::to_string(4 * pi / omega) + "\nend\n" + quiet_output(1),
       world);
     const auto [decay, loss] = decay_of(run, zeta, .5 * mass * across * across);
-    check_close("sprung block: decay of the bounce", decay, 1., 1e-2);
-    check_close("sprung block: damping loss over the energy lost", loss, 1., 1e-3);
-    check_close("sprung block: momentum across stays",
+    check_ratio("sprung block: decay of the bounce", decay, 1e-2);
+    check_ratio("sprung block: damping loss over the energy lost", loss, 1e-3);
+    check_ratio("sprung block: momentum across stays",
                 run["momentum y"].back() / run["momentum y"].front(),
-                1.,
                 1e-12);
   }
 
@@ -154,9 +150,8 @@ namespace
             if (time[i] < 2.2e-3 || time[i] > 5.8e-3)
               largest = largest_of(largest, way);
           }
-        check_close("shaft at " + speed + " rad/s: amplitude times exp(zeta t/2), end over begin",
+        check_ratio("shaft at " + speed + " rad/s: amplitude times exp(zeta t/2), end over begin",
                     amplitude / first,
-                    1.,
                     1e-2);
         const double rpm = std::stod(speed) * 30 / pi;
         std::ofstream("shaft_modes.prm")
@@ -193,16 +188,14 @@ namespace
                  "5 ms\nend\n" +
                  quiet_output(100),
                world);
-    check_close("loose ring: momentum stays",
+    check_ratio("loose ring: momentum stays",
                 run["momentum y"].back() / run["momentum y"].front(),
-                1.,
                 1e-9);
     check_below("loose ring: momentum across over it",
                 std::abs(run["momentum x"].back()) / run["momentum y"].front(),
                 1e-9);
-    check_close("loose ring: angular momentum stays",
+    check_ratio("loose ring: angular momentum stays",
                 run["angular momentum z"].back() / run["angular momentum z"].front(),
-                1.,
                 1e-9);
   }
 
@@ -292,9 +285,8 @@ namespace
       world);
     const double time = run["time"].back() - run["time"].front();
     // The drift decays whichever rate the damper follows.
-    check_close("drifting ring, " + rate + ": drift over V exp(-zeta t)",
+    check_ratio("drifting ring, " + rate + ": drift over V exp(-zeta t)",
                 run["momentum z"].back() / run["momentum z"].front() / std::exp(-zeta * time),
-                1.,
                 1e-3);
 
     const auto   audit = read_json("ring/summary.json").at("damping audit").at(0);
@@ -309,9 +301,8 @@ namespace
     const double gained = mean_speed ? run["angular momentum z"].back() * end.s / 2 -
                                          run["angular momentum z"].front() * first_s / 2
                                      : 0.;
-    check_close("drifting ring, " + rate + ": power of the damping over that of the drag [-]",
+    check_ratio("drifting ring, " + rate + ": power of the damping over that of the drag [-]",
                 value("power") * 1e3 * time / (lost - gained),
-                1.,
                 2e-2);
     // The ring, which is not preloaded, grows by rho s^2 r^2/E and slows down a little by itself; a
     // damper that follows the momentum leaves its angular momentum alone.
@@ -324,10 +315,9 @@ namespace
     // spin.
     const double first_momentum = run["angular momentum z"].front(),
                  last_momentum  = run["angular momentum z"].back();
-    check_close("drifting ring, " + rate + ": torque of the damping over the gain of momentum",
+    check_below("drifting ring, " + rate + ": torque of the damping over the gain of momentum",
                 1e3 * value("net torque") * time -
                   (mean_speed ? (last_momentum - first_momentum) : 0.),
-                0.,
                 1e-2 * first_momentum * (follow(time).s / first_s - 1));
     // Mean over the samples; the ring that is not driven keeps its spin.
     double difference = 0;
@@ -338,13 +328,11 @@ namespace
           now.s = first_s;
         difference += (mean_speed_rate(now) - now.s) / run["time"].size();
       }
-    check_close("drifting ring, " + rate + ": mean speed rate over the momentum's rate",
+    check_ratio("drifting ring, " + rate + ": mean speed rate over the momentum's rate",
                 value("mean speed rate minus momentum rate") * rpm / difference,
-                1.,
                 1e-2);
-    check_close("drifting ring, " + rate + ": drift of rotation speed over the momentum's [rpm]",
+    check_below("drifting ring, " + rate + ": drift of rotation speed over the momentum's [rpm]",
                 value("drift of rotation speed") - (growth - 1) * first_s / rpm,
-                0.,
                 10.);
   }
 } // namespace

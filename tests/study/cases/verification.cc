@@ -58,7 +58,7 @@ namespace
     for (const char *axis : {"x", "y", "z"})
       {
         const auto &p = h[std::string("momentum ") + axis];
-        check_close(std::string("tumbling: momentum ") + axis, p.back() / p.front(), 1., 1e-11);
+        check_ratio(std::string("tumbling: momentum ") + axis, p.back() / p.front(), 1e-11);
       }
     check_below("tumbling: energy error", largest_size(h["energy error"]), 0.005);
   }
@@ -83,15 +83,14 @@ namespace
     // Ripples behind the front average out; c, A, rho, v0 enter all.
     check_close("bar impact: force [MN]", 1e-6 * plateau / n, 1.8564, 0.01 * 1.8564);
     // The front is spread over some (100 cells)^(1/3) cells.
-    check_close("bar impact: duration over 2 L/c", last / wave, 1., 0.05);
+    check_ratio("bar impact: duration over 2 L/c", last / wave, 0.05);
     // Vibration that stays behind the dispersed front.
     check_close("bar impact: momentum after over before",
                 h["momentum x"].back() / h["momentum x"].front(),
                 -1.,
                 0.01);
-    check_close("bar impact: impulse over change of momentum",
+    check_ratio("bar impact: impulse over change of momentum",
                 impulse / (h["momentum x"].back() - h["momentum x"].front()),
-                1.,
                 1e-9);
     check_below("bar impact: energy error", largest_size(h["energy error"]), 0.005);
   }
@@ -100,7 +99,7 @@ namespace
   {
     auto        h = run_case("two_bars", {}, world);
     const auto &p = h["momentum x"];
-    check_close("two bars: momentum", p.back() / p.front(), 1., 1e-11);
+    check_ratio("two bars: momentum", p.back() / p.front(), 1e-11);
     const std::size_t n = h["time"].size();
     const double      v = (h["ahead displacement x"][n - 1] - h["ahead displacement x"][n - 101]) /
                      (h["time"][n - 1] - h["time"][n - 101]);

@@ -59,13 +59,13 @@ namespace
       mean_rotation(compliance.space(), t.driven, t.driven_bore, at_rest.displacement_slope);
     const double stiffness = 8e5 / std::abs(turn);
     // Directions of the springs are those of the loaded place there and here; arms are not.
-    check_close("tangent stiffness of the equilibrium", modes.stiffness / stiffness, 1., 1e-3);
+    check_ratio("tangent stiffness of the equilibrium", modes.stiffness / stiffness, 1e-3);
     const double frequency =
       std::sqrt(stiffness / model.bodies[t.driven].axial_inertia()) / (2 * pi);
     // Steel a thousand times as stiff still gives way by some thousandths of the contact.
-    check_close("one inertia on one spring", modes.turning[0].frequency / frequency, 1., 1e-2);
-    check_close("it is the whole turn", modes.turning[0].share_of_turn, 1., 1e-2);
-    check_close("of the gear alone", modes.turning[0].driven_energy, 1., 1e-2);
+    check_ratio("one inertia on one spring", modes.turning[0].frequency / frequency, 1e-2);
+    check_ratio("it is the whole turn", modes.turning[0].share_of_turn, 1e-2);
+    check_ratio("of the gear alone", modes.turning[0].driven_energy, 1e-2);
     check("modes are counted", modes.counted);
     double shares = 0;
     for (const CoupledMode &mode : modes.turning)
@@ -121,7 +121,7 @@ namespace
     double turn = 0;
     for (const CoupledMode &mode : modes.standing)
       turn = largest_of(turn, mode.share_of_turn);
-    check_close("the static turn is the hub's against the contact", turn, 1., 1e-3);
+    check_ratio("the static turn is the hub's against the contact", turn, 1e-3);
     // Derivatives over 79 sectors, two waves: (2 h)^4/30 = 2e-5; the basis of 28 modes; the weak
     // tie.
     check_below("standing shapes are the waves of the turning gear", largest, 1e-3);

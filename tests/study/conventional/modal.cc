@@ -166,9 +166,8 @@ subsection Fem
     const double L = 40, h = L / n, k = pi / (2 * L), c2 = 206000 / 7.85e-9;
     const double omega =
       std::sqrt(6 * c2 / (h * h) * (1 - std::cos(k * h)) / (2 + std::cos(k * h)));
-    check_close("clamped bar: longitudinal frequency over that of the chain",
+    check_ratio("clamped bar: longitudinal frequency over that of the chain",
                 modes.numbers("frequency")[largest] / (omega / (2 * pi)),
-                1.,
                 1e-8);
     // (sum m u)^2/(u . M u) of the chain: elements with masses m/6 (2 1; 1 2).
     double moved = 0, square = 0;

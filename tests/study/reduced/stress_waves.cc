@@ -80,9 +80,8 @@ namespace
                    std::abs(found.fillets[0][facet][c] - (1. + c) * (1. + facet / n_rows) * three));
     check_below("in a fillet", worst, 1e-11);
     n_measured = 0;
-    check_close("the other one of the two",
+    check_below("the other one of the two",
                 std::abs(places.measure(5, probes, nullptr).probes[0][0] - five),
-                0.,
                 1e-11);
     check("nothing of fillets without their strains",
           places.measure(5, nullptr, nullptr).fillets[0][0][0] == 0.);
@@ -107,9 +106,8 @@ namespace
     const std::vector<double> most = places.find_largest(waves);
     check_close("shear, sqrt(3) of its amplitude", most[0], std::sqrt(3.) * 5., 5e-3);
     check_close("normal stresses apart in time", most[1], std::sqrt(37.5), 1e-12);
-    check_close("strain of a fillet",
+    check_ratio("strain of a fillet",
                 most[2] * (1. - nu * nu) / (material.youngs_modulus * 1e-4),
-                1.,
                 1e-12);
     check("nothing in the other one", most[3] == 0.);
     // Half a period apart and as large.
