@@ -2,6 +2,7 @@
 // Quantities over time: values, integrals and their inverse of constants, tables and formulas
 // against closed forms, units of headings, what is refused.
 #include "../history_of.h"
+#include "../parts.h"
 #include "../refusal.h"
 #include "../tests.h"
 
@@ -196,11 +197,5 @@ namespace
 
 int main()
 {
-  constants();
-  tables();
-  spellings();
-  formulas();
-  expressions();
-  refusals();
-  return 0;
+  return run_parts({constants, tables, spellings, formulas, expressions, refusals});
 }

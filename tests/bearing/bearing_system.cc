@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Bearings in a housing: linear ones by springs in series, all loads as slopes of the energy, and
 // matrices that are none of a housing.
+#include "../parts.h"
 #include "../refusal.h"
 #include "../tests.h"
 
@@ -253,11 +254,5 @@ namespace
 
 int main()
 {
-  ground();
-  series();
-  rolling_cage();
-  slopes();
-  refusals();
-  files();
-  return 0;
+  return run_parts({ground, series, rolling_cage, slopes, refusals, files});
 }

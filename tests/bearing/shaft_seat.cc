@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // A seat on a shaft that has turned far and is tilted: displacements, tilts and twist read from its
 // nodes, and forces that work on nothing else.
+#include "../parts.h"
 #include "../tests.h"
 
 #include <vfife/bearing/shaft_seat.h>
@@ -148,8 +149,5 @@ namespace
 
 int main()
 {
-  reads_what_was_done();
-  forces_are_conjugate();
-  linear_law();
-  return 0;
+  return run_parts({reads_what_was_done, forces_are_conjugate, linear_law});
 }

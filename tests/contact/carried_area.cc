@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Stiffness of the contact at the master's nodes under slaves of any fineness, placed at random:
 // never beyond the bound that the stable step counts with, and near it at the worst place.
+#include "../parts.h"
 #include "../tests.h"
 #include "surfaces.h"
 
@@ -228,8 +229,5 @@ namespace
 
 int main()
 {
-  bounds();
-  frequencies();
-  check_places();
-  return 0;
+  return run_parts({bounds, frequencies, check_places});
 }

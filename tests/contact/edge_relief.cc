@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Relief of edges: its shape, forces as the slope of the energy, points that cross an edge.
+#include "../parts.h"
 #include "../refusal.h"
 #include "../tests.h"
 #include "surfaces.h"
@@ -253,10 +254,5 @@ namespace
 
 int main()
 {
-  check_shape();
-  check_refusal();
-  check_gradient();
-  check_crossing();
-  check_off();
-  return 0;
+  return run_parts({check_shape, check_refusal, check_gradient, check_crossing, check_off});
 }

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Pressures on their own grid: influence of a rectangle and of a layer, and contacts whose pressure
 // is known.
+#include "../parts.h"
 #include "../tests.h"
 
 #include <vfife/contact/half_space/cell_flexibility.h>
@@ -330,13 +331,12 @@ namespace
 
 int main()
 {
-  check_rectangle();
-  check_layer();
-  check_contacts();
-  check_punch();
-  check_line();
-  check_arms();
-  check_return();
-  check_ill_conditioned();
-  return 0;
+  return run_parts({check_rectangle,
+                    check_layer,
+                    check_contacts,
+                    check_punch,
+                    check_line,
+                    check_arms,
+                    check_return,
+                    check_ill_conditioned});
 }

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Pressures over a step of central differences: bounces of masses for any penalty and step, what is
 // kept, damping against its closed form, many points that share nodes, held directions.
+#include "../parts.h"
 #include "../tests.h"
 #include "exponential_law.h"
 
@@ -204,8 +205,5 @@ namespace
 
 int main()
 {
-  bounce();
-  damped_bounce();
-  shared_nodes();
-  return 0;
+  return run_parts({bounce, damped_bounce, shared_nodes});
 }

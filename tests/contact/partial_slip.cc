@@ -6,6 +6,7 @@
 //   sphere:   c/a = (1 - Q/(mu P))^(1/3),   shift = mu d (1 - (1 - Q/(mu P))^(2/3)).
 // The half-space yields along the surface as across it (nu = 0), each by its own tractions alone,
 // as two like bodies do.
+#include "../parts.h"
 #include "../tests.h"
 #include "surfaces.h"
 
@@ -299,7 +300,5 @@ namespace
 
 int main()
 {
-  cylinder();
-  sphere();
-  return 0;
+  return run_parts({cylinder, sphere});
 }

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Quadrature, offsets, local search and nodal normals against closed forms.
+#include "../parts.h"
 #include "../tests.h"
 #include "surfaces.h"
 
@@ -161,9 +162,5 @@ namespace
 
 int main()
 {
-  check_rules();
-  check_twisted_facet();
-  check_sphere();
-  check_normals();
-  return 0;
+  return run_parts({check_rules, check_twisted_facet, check_sphere, check_normals});
 }

@@ -2,6 +2,7 @@
 // Friction that sticks elastically, between rigid surfaces that are moved as is told: closed forms
 // of spring and slider, work of a cycle, rigid motions of the pair, what is kept and what is
 // forgotten.
+#include "../parts.h"
 #include "../tests.h"
 #include "surfaces.h"
 
@@ -238,9 +239,5 @@ namespace
 
 int main()
 {
-  spring_and_slider();
-  cycle();
-  rigid_motion();
-  keeping();
-  return 0;
+  return run_parts({spring_and_slider, cycle, rigid_motion, keeping});
 }

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Places of led nodes: on all surfaces that hold them, reached along the old directions; forces
 // along what is free; what has no place.
+#include "../parts.h"
 #include "../tests.h"
 
 #include <vfife/dynamics/motion/prescribed_place.h>
@@ -112,9 +113,5 @@ namespace
 
 int main()
 {
-  combined();
-  altogether();
-  circle();
-  impossible();
-  return 0;
+  return run_parts({combined, altogether, circle, impossible});
 }

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // What ranks get of the contact: whole clusters, shares of heavy ones, or shares of all.
+#include "../parts.h"
 #include "../tests.h"
 
 #include <vfife/dynamics/loads/contact/contact_dealing.h>
@@ -89,7 +90,5 @@ namespace
 
 int main()
 {
-  check_simple();
-  check_many();
-  return 0;
+  return run_parts({check_simple, check_many});
 }

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Where prescribed angles put a node: a bead on a turning wire against its closed form, and turns
 // of any size in one step.
+#include "../parts.h"
 #include "../tests.h"
 
 #include <vfife/dynamics/motion/prescribed_place.h>
@@ -84,7 +85,5 @@ namespace
 
 int main()
 {
-  bead();
-  any_turn();
-  return 0;
+  return run_parts({bead, any_turn});
 }

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Campbell diagrams of made-up vibrations: what is a branch, where straight branches cross the
 // orders of the gear mesh (closed form), the units of the tables.
+#include "../parts.h"
 #include "../tests.h"
 
 #include <vfife/fem/modes/campbell.h>
@@ -279,8 +280,5 @@ namespace
 
 int main()
 {
-  branches();
-  mode_table();
-  crossings();
-  return 0;
+  return run_parts({branches, mode_table, crossings});
 }

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Entries of errors of manufacture: pitch deviations from lists, tables and cosines, grids in both
 // formats, and what is said of input that cannot be used.
+#include "../parts.h"
 #include "../read_entries.h"
 #include "../refusal.h"
 #include "../tests.h"
@@ -177,8 +178,5 @@ namespace
 
 int main()
 {
-  pitch();
-  topography();
-  pair();
-  return 0;
+  return run_parts({pitch, topography, pair});
 }

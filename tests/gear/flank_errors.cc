@@ -2,6 +2,7 @@
 // Errors of manufacture on the flanks: splines on the grid, ease-off terms by the geometry of the
 // moved flank, pitch deviations and eccentricity in the unloaded contact by their closed forms, and
 // contact of modified flanks against the search for the smallest gap.
+#include "../parts.h"
 #include "../refusal.h"
 #include "../tests.h"
 #include "gap_search.h"
@@ -299,11 +300,5 @@ namespace
 
 int main()
 {
-  splines();
-  terms();
-  contact_of_modified_flanks();
-  pitch();
-  runout();
-  large_deviations();
-  return 0;
+  return run_parts({splines, terms, contact_of_modified_flanks, pitch, runout, large_deviations});
 }

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Measured flanks: the grid of points that is written and read again as topography or as a measured
 // flank, and the machine settings that are found from it, for flanks cut with known settings.
+#include "../parts.h"
 #include "../refusal.h"
 #include "../tests.h"
 #include "paper_pair.h"
@@ -201,7 +202,5 @@ namespace
 
 int main()
 {
-  grids();
-  settings();
-  return 0;
+  return run_parts({grids, settings});
 }

@@ -2,6 +2,7 @@
 // The equations of the lumped model written out by hand for one motion, its powers and energy; what
 // each number of the pair does to stiffness, damping and critical speeds; the numbers of its
 // tables.
+#include "../parts.h"
 #include "../tests.h"
 #include "pair.h"
 
@@ -205,10 +206,5 @@ namespace
 
 int main()
 {
-  equations();
-  stiffness_and_damping();
-  motion_table();
-  response_table();
-  slow_response();
-  return 0;
+  return run_parts({equations, stiffness_and_damping, motion_table, response_table, slow_response});
 }

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Section Lumped: what its entries make of the model and of the run.
+#include "../parts.h"
 #include "../refusal.h"
 #include "../tests.h"
 
@@ -274,13 +275,5 @@ subsection Lumped
 
 int main()
 {
-  series();
-  load_laws();
-  inertias();
-  supports();
-  numbers();
-  laws_of_a_table();
-  damper();
-  run();
-  return 0;
+  return run_parts({series, load_laws, inertias, supports, numbers, laws_of_a_table, damper, run});
 }

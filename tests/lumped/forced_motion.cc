@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // The torsional pair under a transmission error: linear response, and with loss of contact against
 // piecewise closed forms; both branches of a jump.
+#include "../parts.h"
 #include "../tests.h"
 #include "pair.h"
 
@@ -200,8 +201,5 @@ namespace
 
 int main()
 {
-  linear_response();
-  loss_of_contact();
-  jump();
-  return 0;
+  return run_parts({linear_response, loss_of_contact, jump});
 }

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Mesh files with one thing wrong each: one line that names the file's line, whatever the file
 // says.
+#include "../parts.h"
 #include "../tests.h"
 
 #include <vfife/base/errors.h>
@@ -189,8 +190,5 @@ namespace
 
 int main()
 {
-  read_gmsh_files();
-  read_other_files();
-  read_files_by_dealii();
-  return 0;
+  return run_parts({read_gmsh_files, read_other_files, read_files_by_dealii});
 }

@@ -2,6 +2,7 @@
 // Export and import of meshes: what is written reads back with the same volume, sets and surfaces;
 // a mesh of another program; files that cannot be used.
 
+#include "../parts.h"
 #include "../refusal.h"
 #include "../tests.h"
 
@@ -403,12 +404,11 @@ namespace
 
 int main()
 {
-  check_pinion();
-  check_assembly();
-  check_foreign();
-  check_refusals();
-  check_flank_points();
-  check_number_lengths();
-  check_hanging_nodes();
-  return 0;
+  return run_parts({check_pinion,
+                    check_assembly,
+                    check_foreign,
+                    check_refusals,
+                    check_flank_points,
+                    check_number_lengths,
+                    check_hanging_nodes});
 }

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // One body in many spellings of the formats: each gives the same volume, counts, sets and surfaces
 // as the plainest one.
+#include "../parts.h"
 #include "../refusal.h"
 #include "../tests.h"
 
@@ -446,13 +447,12 @@ namespace
 
 int main()
 {
-  lines_and_numbers();
-  sets_and_generation();
-  places();
-  vtk_files();
-  ucd_and_gmsh();
-  faces();
-  corners();
-  unmerged();
-  return 0;
+  return run_parts({lines_and_numbers,
+                    sets_and_generation,
+                    places,
+                    vtk_files,
+                    ucd_and_gmsh,
+                    faces,
+                    corners,
+                    unmerged});
 }

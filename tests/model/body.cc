@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Bodies: masses and inertia of the lumped masses, node sets, areas of nodes, boundary faces, axes
 // and displacements in the body frame, numbering in a model.
+#include "../parts.h"
 #include "../refusal.h"
 #include "../tests.h"
 
@@ -283,12 +284,5 @@ namespace
 
 int main()
 {
-  masses();
-  areas();
-  warped_cell();
-  faces();
-  sets();
-  axes();
-  numbering();
-  return 0;
+  return run_parts({masses, areas, warped_cell, faces, sets, axes, numbering});
 }

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Bodies of a parameter file: shapes, material, place, bearing and motion at time zero; refusals.
+#include "../parts.h"
 #include "model_text.h"
 
 using namespace vfife;
@@ -231,12 +232,5 @@ end
 
 int main()
 {
-  shapes();
-  material();
-  placed();
-  held_by_bearings();
-  moving();
-  composite();
-  refusals();
-  return 0;
+  return run_parts({shapes, material, placed, held_by_bearings, moving, composite, refusals});
 }

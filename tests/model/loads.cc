@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // What nodes take of a load, moments shared over a face; the numbers of a pair: ratio, angles'
 // rates, torque of a tooth; the ledger of energies.
+#include "../parts.h"
 #include "../refusal.h"
 #include "../tests.h"
 
@@ -318,11 +319,5 @@ namespace
 
 int main()
 {
-  shares();
-  surfaces();
-  moments();
-  power_of_a_moment();
-  transmission();
-  energies();
-  return 0;
+  return run_parts({shares, surfaces, moments, power_of_a_moment, transmission, energies});
 }

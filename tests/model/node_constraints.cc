@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Constraints that share a node: rank and span of what they hold, the displacement that meets all
 // of them, shares of a force; what contradicts itself.
+#include "../parts.h"
 #include "../refusal.h"
 #include "../tests.h"
 
@@ -185,10 +186,5 @@ namespace
 
 int main()
 {
-  oblique();
-  nearly_parallel();
-  axis();
-  kinds();
-  shares();
-  return 0;
+  return run_parts({oblique, nearly_parallel, axis, kinds, shares});
 }

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Vectors at local nodes, the ranges over them, and a partition that copies of a state share.
+#include "../parts.h"
 #include "../tests.h"
 
 #include <vfife/model/state.h>
@@ -87,8 +88,5 @@ namespace
 
 int main()
 {
-  check_ranges();
-  check_field();
-  check_sharing();
-  return 0;
+  return run_parts({check_ranges, check_field, check_sharing});
 }

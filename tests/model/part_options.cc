@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Constraints, loads, contacts and probes of a parameter file: what each kind makes of its entries,
 // which nodes are chosen, histories; refusals.
+#include "../parts.h"
 #include "model_text.h"
 
 #include <vfife/base/process/log.h>
@@ -306,11 +307,5 @@ namespace
 
 int main()
 {
-  selection();
-  constraints();
-  loads();
-  contacts();
-  probes();
-  starts();
-  return 0;
+  return run_parts({selection, constraints, loads, contacts, probes, starts});
 }

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // The steady part of synthetic histories: means, where it starts, and when there is none.
+#include "../parts.h"
 #include "../refusal.h"
 #include "../tests.h"
 
@@ -292,10 +293,5 @@ namespace
 
 int main()
 {
-  check_means();
-  check_impulse();
-  check_start();
-  check_none();
-  check_ripple();
-  return 0;
+  return run_parts({check_means, check_impulse, check_start, check_none, check_ripple});
 }

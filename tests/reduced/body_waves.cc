@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Travelling waves of a reduced body at speed and the rates at which mesh orders meet them, against
 // closed forms of one mode.
+#include "../parts.h"
 #include "../refusal.h"
 #include "../tests.h"
 
@@ -167,9 +168,5 @@ namespace
 
 int main()
 {
-  frequencies();
-  decay();
-  meetings();
-  umbrella();
-  return 0;
+  return run_parts({frequencies, decay, meetings, umbrella});
 }

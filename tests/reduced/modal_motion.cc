@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Steps of modes: closed forms, energy and angular momentum, whatever the step is.
+#include "../parts.h"
 #include "../refusal.h"
 #include "../tests.h"
 
@@ -190,9 +191,5 @@ namespace
 
 int main()
 {
-  single_modes();
-  waves();
-  other_rates();
-  balances();
-  return 0;
+  return run_parts({single_modes, waves, other_rates, balances});
 }

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Strain and stress of a free surface's facets: linear fields, large rotations, no traction.
+#include "../parts.h"
 #include "../tests.h"
 
 #include <vfife/element/stiffness.h>
@@ -133,9 +134,5 @@ namespace
 
 int main()
 {
-  linear_field();
-  large_rotation();
-  no_traction();
-  principal();
-  return 0;
+  return run_parts({linear_field, large_rotation, no_traction, principal});
 }

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Tolerances of a compare: results a known part away from their reference agree within a larger
 // tolerance and differ within a smaller one.
+#include "../../parts.h"
 #include "../../tests.h"
 
 #include <vfife/base/parameters/parameters.h>
@@ -218,11 +219,5 @@ namespace
 
 int main()
 {
-  pair();
-  reduced_pair();
-  arms();
-  passed_positions();
-  statics();
-  frequencies();
-  return 0;
+  return run_parts({pair, reduced_pair, arms, passed_positions, statics, frequencies});
 }

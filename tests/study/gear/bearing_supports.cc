@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Members of a pair as rigid bodies in their bearings: natural rates, damping ratios and static
 // compliance of the lumped model's supports by hand.
+#include "../../parts.h"
 #include "../../refusal.h"
 #include "../../tests.h"
 
@@ -146,8 +147,5 @@ namespace
 
 int main()
 {
-  one_member();
-  two_members();
-  refusals();
-  return 0;
+  return run_parts({one_member, two_members, refusals});
 }

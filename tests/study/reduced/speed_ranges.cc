@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Where made-up curves over speed are above a level; how long a speed settles; what a low pass
 // leaves of known vibrations, and what passes the sectors of a body with the mesh cycle.
+#include "../../parts.h"
 #include "../../tests.h"
 
 #include <vfife/base/complex.h>
@@ -292,15 +293,14 @@ namespace
 
 int main()
 {
-  settling();
-  widths();
-  near_the_cutoff();
-  lengths();
-  low_pass();
-  slow_mesh();
-  responses();
-  frequencies();
-  ranges();
-  exceedances();
-  return 0;
+  return run_parts({settling,
+                    widths,
+                    near_the_cutoff,
+                    lengths,
+                    low_pass,
+                    slow_mesh,
+                    responses,
+                    frequencies,
+                    ranges,
+                    exceedances});
 }

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Fits of resonance curves and build-ups against what they were made of.
+#include "../../parts.h"
 #include "../../refusal.h"
 #include "../../tests.h"
 
@@ -118,9 +119,5 @@ namespace
 
 int main()
 {
-  resonance();
-  mode();
-  build_up();
-  refusals();
-  return 0;
+  return run_parts({resonance, mode, build_up, refusals});
 }
