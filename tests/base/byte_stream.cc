@@ -3,7 +3,6 @@
 #include "../refusal.h"
 #include "../tests.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/base/text/byte_stream.h>
 #include <vfife/base/text/table.h>
 

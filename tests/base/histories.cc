@@ -8,7 +8,6 @@
 
 #include <vfife/base/types.h>
 
-#include <cmath>
 #include <fstream>
 
 using namespace vfife;

@@ -11,9 +11,7 @@
 #include "../refusal.h"
 #include "../tests.h"
 
-#include <cmath>
 #include <sstream>
-#include <vector>
 
 using namespace vfife;
 

@@ -6,8 +6,6 @@
 
 #include <vfife/bearing/shaft_seat.h>
 
-#include <cmath>
-
 using namespace vfife;
 
 namespace

@@ -8,7 +8,6 @@
 #include <vfife/contact/half_space/cell_forces.h>
 #include <vfife/contact/law/hertz.h>
 
-#include <cmath>
 #include <functional>
 
 using namespace vfife;

@@ -6,7 +6,6 @@
 
 #include <vfife/contact/law/contact_options.h>
 
-#include <algorithm>
 #include <functional>
 
 using namespace vfife;

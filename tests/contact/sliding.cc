@@ -5,8 +5,6 @@
 #include "../tests.h"
 #include "surfaces.h"
 
-#include <algorithm>
-
 using namespace test_surfaces;
 
 namespace

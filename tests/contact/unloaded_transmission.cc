@@ -6,8 +6,6 @@
 #include "../tests.h"
 #include "rigid_pair.h"
 
-#include <vfife/gear/unloaded_contact/unloaded_contact.h>
-
 #include <tuple>
 
 using namespace rigid_pair;

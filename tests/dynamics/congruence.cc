@@ -5,12 +5,10 @@
 #include "../tests.h"
 #include "relaxed.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/element/internal_force.h>
 #include <vfife/mesh/body_mesh.h>
 
-#include <numeric>
 #include <random>
 #include <set>
 

@@ -5,9 +5,7 @@
 
 #include <vfife/dynamics/loads/contact/contact_dealing.h>
 
-#include <algorithm>
 #include <cstdint>
-#include <numeric>
 
 using namespace vfife;
 

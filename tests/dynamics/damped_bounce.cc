@@ -7,8 +7,6 @@
 
 #include <vfife/mesh/body_mesh.h>
 
-#include <numeric>
-
 using namespace vfife;
 
 namespace

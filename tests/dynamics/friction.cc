@@ -8,8 +8,6 @@
 
 #include <vfife/mesh/body_mesh.h>
 
-#include <sstream>
-
 using namespace vfife;
 
 namespace

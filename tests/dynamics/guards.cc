@@ -6,7 +6,6 @@
 #include "../tests.h"
 #include "one_solver.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/mesh/body_mesh.h>
 
 #include <limits>

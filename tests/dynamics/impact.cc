@@ -7,8 +7,6 @@
 
 #include <vfife/mesh/body_mesh.h>
 
-#include <algorithm>
-
 using namespace vfife;
 
 namespace

@@ -13,7 +13,6 @@
 #include <vfife/mesh/primitives/primitives.h>
 
 #include <functional>
-#include <numeric>
 
 using namespace vfife;
 

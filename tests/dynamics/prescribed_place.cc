@@ -6,8 +6,6 @@
 
 #include <vfife/dynamics/motion/prescribed_place.h>
 
-#include <cmath>
-
 using namespace vfife;
 
 namespace

@@ -10,8 +10,6 @@
 #include <vfife/mesh/primitives/primitives.h>
 #include <vfife/model/model.h>
 
-#include <algorithm>
-
 using namespace vfife;
 
 namespace

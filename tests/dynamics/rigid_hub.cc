@@ -8,8 +8,6 @@
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/mesh/body_mesh.h>
 
-#include <numeric>
-
 using namespace vfife;
 
 namespace

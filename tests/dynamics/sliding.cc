@@ -9,8 +9,6 @@
 
 #include <Eigen/Geometry>
 
-#include <sstream>
-
 using namespace vfife;
 
 namespace

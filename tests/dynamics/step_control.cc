@@ -6,7 +6,6 @@
 #include "../tests.h"
 #include "one_solver.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/dynamics/operator/mass_scaling.h>
 #include <vfife/dynamics/operator/step_bound.h>
 #include <vfife/element/stable_step.h>

@@ -5,7 +5,6 @@
 #include "../tests.h"
 #include "samples.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/element/frame.h>
 #include <vfife/element/internal_force.h>
 

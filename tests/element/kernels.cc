@@ -9,7 +9,6 @@
 #include <vfife/element/frame.h>
 #include <vfife/element/internal_force.h>
 
-#include <algorithm>
 #include <cstdlib>
 
 using namespace vfife;

@@ -4,7 +4,6 @@
 #include "../tests.h"
 #include "samples.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/element/stable_step.h>
 #include <vfife/element/stress.h>
 

@@ -3,16 +3,12 @@
 #include "../ranks.h"
 #include "../reduced/whole_body.h"
 #include "../refusal.h"
-#include "../tests.h"
 
 #include <vfife/fem/modes/rotating_body.h>
 #include <vfife/fem/statics/static_solver.h>
 #include <vfife/fem/system/load_forces.h>
-#include <vfife/mesh/primitives/primitives.h>
 
 #include <deal.II/grid/manifold.h>
-
-#include <numeric>
 
 using namespace vfife;
 

@@ -3,15 +3,12 @@
 #include "../refusal.h"
 #include "../tests.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/fem/modes/modal_solver.h>
 #include <vfife/fem/modes/mode_description.h>
 #include <vfife/fem/system/rigid_motions.h>
 #include <vfife/mesh/primitives/primitives.h>
-
-#include <algorithm>
 
 using namespace vfife;
 

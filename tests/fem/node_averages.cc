@@ -7,7 +7,6 @@
 #include "../tests.h"
 
 #include <vfife/fem/statics/compliance.h>
-#include <vfife/mesh/primitives/primitives.h>
 #include <vfife/model/load_shares.h>
 
 using namespace vfife;

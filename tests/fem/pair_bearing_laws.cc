@@ -3,7 +3,6 @@
 // the pin of the driven body, what is refused, columns of bearings.csv.
 #include "../parts.h"
 #include "../refusal.h"
-#include "../tests.h"
 #include "pair_in_bearings.h"
 
 #include <vfife/bearing/rolling_bearing.h>
@@ -11,8 +10,6 @@
 #include <vfife/mesh/primitives/primitives.h>
 #include <vfife/output/measures/bearing_columns.h>
 #include <vfife/study/conventional/loaded_contact_tables.h>
-
-#include <algorithm>
 
 using namespace vfife;
 

@@ -3,7 +3,6 @@
 // moments, coupled modes, a series of stiffness against ideal bores, bearings that differ along x
 // and y.
 #include "../parts.h"
-#include "../tests.h"
 #include "pair_in_bearings.h"
 
 #include <vfife/fem/pair/coupled_modes.h>

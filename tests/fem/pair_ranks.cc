@@ -1,9 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Two ranks find the loaded pair in bearings where one rank finds it.
 #include "../ranks.h"
-#include "../tests.h"
 #include "pair_in_bearings.h"
-
 
 using namespace vfife;
 

@@ -3,14 +3,10 @@
 #include "../ranks.h"
 #include "../reduced/whole_body.h"
 #include "../refusal.h"
-#include "../tests.h"
 #include "pair_in_bearings.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/fem/cyclic/cyclic_body.h>
 #include <vfife/fem/statics/compliance.h>
-
-#include <cmath>
 
 using namespace vfife;
 

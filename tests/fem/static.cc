@@ -3,7 +3,6 @@
 #include "../refusal.h"
 #include "../tests.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/fem/statics/static_solver.h>
@@ -13,7 +12,6 @@
 
 #include <deal.II/grid/grid_tools.h>
 
-#include <numeric>
 #include <set>
 
 using namespace vfife;

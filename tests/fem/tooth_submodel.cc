@@ -2,7 +2,6 @@
 // Submodels of teeth and webs: on the body's own mesh they have its displacements to round-off, for
 // a solid pinion and a gear on a web, under forces on several teeth and in spin. Forces and moments
 // on the flanks are kept on another mesh.
-#include "../gear/paper_pair.h"
 #include "../mesh/coarsest.h"
 #include "../mesh/paper_members.h"
 #include "../ranks.h"

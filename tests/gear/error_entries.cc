@@ -7,8 +7,6 @@
 #include "../tests.h"
 #include "paper_pair.h"
 
-#include <vfife/base/errors.h>
-
 #include <fstream>
 
 using namespace vfife;

@@ -5,7 +5,6 @@
 #include "paper_pair.h"
 
 #include <vfife/gear/flank_points.h>
-#include <vfife/gear/spiral_bevel/gear_pair.h>
 
 using namespace vfife;
 

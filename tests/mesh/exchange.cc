@@ -8,7 +8,6 @@
 
 #include "paper_members.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/gear/flank_points.h>
 #include <vfife/mesh/files/mesh_export.h>
 #include <vfife/mesh/files/mesh_import.h>
@@ -19,7 +18,6 @@
 
 #include <deal.II/grid/grid_out.h>
 
-#include <algorithm>
 #include <fstream>
 #include <limits>
 #include <sstream>

@@ -10,10 +10,6 @@
 #include <vfife/mesh/primitives/primitive_options.h>
 #include <vfife/mesh/primitives/primitives.h>
 
-#include <deal.II/base/parameter_handler.h>
-
-#include <numeric>
-
 using namespace vfife;
 
 namespace

@@ -5,16 +5,12 @@
 #include "../refusal.h"
 #include "../tests.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/contact/surface/facet_integrals.h>
 #include <vfife/contact/surface/facet_quadrature.h>
 #include <vfife/element/hexahedron.h>
 #include <vfife/mesh/primitives/primitives.h>
 #include <vfife/model/body_frame.h>
 #include <vfife/model/load_shares.h>
-
-#include <algorithm>
-#include <numeric>
 
 using namespace vfife;
 

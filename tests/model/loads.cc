@@ -5,16 +5,12 @@
 #include "../refusal.h"
 #include "../tests.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/bearing/mean_motion.h>
 #include <vfife/mesh/primitives/primitives.h>
 #include <vfife/model/load_shares.h>
 #include <vfife/model/node_selection.h>
 #include <vfife/model/state.h>
 #include <vfife/model/tooth_contact.h>
-
-#include <algorithm>
-#include <numeric>
 
 using namespace vfife;
 

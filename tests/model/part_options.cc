@@ -8,9 +8,6 @@
 #include <vfife/contact/surface/smooth_patch.h>
 #include <vfife/model/options/bodies_at_start.h>
 
-#include <algorithm>
-#include <sstream>
-
 using namespace vfife;
 
 namespace

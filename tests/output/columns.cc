@@ -59,11 +59,7 @@
 #include <vfife/study/sweep/sweep_tables.h>
 #include <vfife/study/waves/wave_line_tables.h>
 
-#include <nlohmann/json.hpp>
-
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 using namespace vfife;
 

@@ -4,13 +4,10 @@
 #include "../tests.h"
 #include "ring_askew.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/base/text/byte_stream.h>
-#include <vfife/mesh/primitives/primitives.h>
-#include <vfife/model/model.h>
 #include <vfife/model/state.h>
 #include <vfife/output/files/checkpoint.h>
 #include <vfife/output/files/output_folder.h>

@@ -7,7 +7,6 @@
 #include "../refusal.h"
 #include "../tests.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/mesh/primitives/primitives.h>
 #include <vfife/output/measures/mounting.h>

@@ -6,14 +6,9 @@
 
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/mpi_session.h>
-#include <vfife/mesh/primitives/primitives.h>
 #include <vfife/model/body_frame.h>
-#include <vfife/model/model.h>
-#include <vfife/model/state.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/observers/rim_writer.h>
-
-#include <numeric>
 
 using namespace vfife;
 

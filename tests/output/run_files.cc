@@ -23,8 +23,6 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <nlohmann/json.hpp>
-
 #include <chrono>
 #include <filesystem>
 #include <limits>

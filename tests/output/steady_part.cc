@@ -4,7 +4,6 @@
 #include "../refusal.h"
 #include "../tests.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/base/text/table.h>
 #include <vfife/base/types.h>
 #include <vfife/contact/contact_impulse.h>

@@ -7,10 +7,7 @@
 #include "solid_mesh.h"
 
 #include <vfife/mesh/body_mesh.h>
-#include <vfife/plugin/explicit_solid.h>
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 using namespace vfife;

@@ -7,9 +7,6 @@
 
 #include <vfife/plugin/solid_contact.h>
 
-#include <algorithm>
-#include <cmath>
-
 using namespace vfife;
 
 namespace

@@ -8,9 +8,6 @@
 
 #include <deal.II/distributed/shared_tria.h>
 
-#include <functional>
-#include <iostream>
-
 using namespace vfife;
 
 namespace

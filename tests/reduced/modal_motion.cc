@@ -5,11 +5,9 @@
 #include "../tests.h"
 
 #include <vfife/base/complex.h>
-#include <vfife/base/errors.h>
 #include <vfife/reduced/modal_motion.h>
 #include <vfife/reduced/reduced_body.h>
 
-#include <cmath>
 #include <random>
 
 using namespace vfife;

@@ -4,13 +4,10 @@
 #include "../parts.h"
 #include "../study/gear_model.h"
 #include "../study/shaft_pair.h"
-#include "../tests.h"
 #include "pair_of_bodies.h"
 
 #include <vfife/output/measures/pair_mounting.h>
 #include <vfife/reduced/body_rings.h>
-
-#include <cmath>
 
 using namespace vfife;
 using namespace pair_of_bodies;

@@ -3,14 +3,10 @@
 // and a pinion, faster than it was reduced at, move as the bodies themselves.
 #include "../parts.h"
 #include "../study/gear_model.h"
-#include "../study/quick_pair.h"
 #include "../study/shaft_pair.h"
-#include "../tests.h"
 
 #include <vfife/base/parameters/parameter_matrix.h>
-#include <vfife/base/process/log.h>
 #include <vfife/output/files/output_folder.h>
-#include <vfife/output/files/table_reader.h>
 #include <vfife/reduced/modal_motion.h>
 #include <vfife/reduced/reduced_options.h>
 #include <vfife/reduced/touch_rows.h>
@@ -18,7 +14,6 @@
 
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include <cmath>
 #include <filesystem>
 
 using namespace vfife;

@@ -4,15 +4,11 @@
 #include "../refusal.h"
 #include "../study/gear_model.h"
 #include "../study/quick_pair.h"
-#include "../tests.h"
 #include "pair_of_bodies.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/element/stress.h>
 #include <vfife/fem/statics/static_solver.h>
 #include <vfife/reduced/reduced_options.h>
-
-#include <cmath>
 
 using namespace vfife;
 using namespace pair_of_bodies;

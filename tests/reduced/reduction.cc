@@ -2,7 +2,6 @@
 // Modes and residual flexibilities of one sector, beside the same of the whole body.
 #include "../parts.h"
 #include "../refusal.h"
-#include "../tests.h"
 #include "whole_body.h"
 
 #include <vfife/fem/modes/modal_solver.h>
@@ -14,8 +13,6 @@
 #include <vfife/reduced/reduction_source.h>
 
 #include <Eigen/Eigenvalues>
-
-#include <algorithm>
 
 using namespace vfife;
 

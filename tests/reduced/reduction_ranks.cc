@@ -2,7 +2,6 @@
 // A body reduced on two ranks is that of one.
 #include "../parts.h"
 #include "../refusal.h"
-#include "../tests.h"
 #include "whole_body.h"
 
 #include <vfife/reduced/body_reduction.h>

@@ -1,18 +1,13 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // One tooth of a pinion under pressure on curved elements, with divided fillets and with a layer of
 // elements under its surface, against a reference of two other programs.
-#include "../gear/paper_pair.h"
 #include "../mesh/coarsest.h"
-#include "../mesh/paper_members.h"
 #include "../ranks.h"
-#include "../tests.h"
 #include "pinion_fillets.h"
 
 #include <vfife/fem/statics/compliance.h>
 #include <vfife/fem/system/load_forces.h>
 #include <vfife/study/fillets/fillet_faces.h>
-
-#include <numeric>
 
 using namespace vfife;
 

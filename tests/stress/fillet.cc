@@ -1,6 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Fillets of gear bodies as grids of facets, and gauges glued into them.
-#include "../gear/paper_pair.h"
 #include "../mesh/coarsest.h"
 #include "../mesh/paper_members.h"
 #include "../refusal.h"

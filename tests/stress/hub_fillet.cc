@@ -1,18 +1,14 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // The web's fillets at the hub: grid of facets and curved elements on the true arcs, and stresses
 // of a spinning gear by a submodel that follows a coarse mesh, against a whole quadratic body.
-#include "../gear/paper_pair.h"
-#include "../mesh/paper_members.h"
 #include "../ranks.h"
 #include "../refusal.h"
-#include "../tests.h"
 #include "fillet_readings.h"
 #include "pinion_fillets.h"
 
 #include <vfife/fem/statics/compliance.h>
 #include <vfife/fem/submodel/sector_submodel.h>
 #include <vfife/model/load_shares.h>
-#include <vfife/study/fillets/facet_readings.h>
 #include <vfife/study/fillets/fillet_faces.h>
 
 using namespace vfife;

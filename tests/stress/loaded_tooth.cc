@@ -2,10 +2,7 @@
 // One tooth of a pinion under pressure: stress in its fillets with elements of 8 and 27 nodes and
 // over a family of meshes. With the argument "ccx" and a folder the same by CalculiX (77 without
 // it).
-#include "../gear/paper_pair.h"
 #include "../mesh/coarsest.h"
-#include "../mesh/paper_members.h"
-#include "../tests.h"
 #include "pinion_fillets.h"
 
 #include <vfife/base/process/communicator.h>
@@ -13,11 +10,9 @@
 #include <vfife/fem/statics/compliance.h>
 #include <vfife/fem/statics/static_solver.h>
 #include <vfife/mesh/hexahedron_corners.h>
-#include <vfife/mesh/node_set_names.h>
 
 #include <Eigen/Eigenvalues>
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>

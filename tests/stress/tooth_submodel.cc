@@ -1,11 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // One tooth under pressure: root stresses of a coarse mesh of trilinear elements by a submodel,
 // against those of the fine mesh by itself and against a reference of two other programs.
-#include "../gear/paper_pair.h"
 #include "../mesh/coarsest.h"
-#include "../mesh/paper_members.h"
 #include "../ranks.h"
-#include "../tests.h"
 #include "fillet_readings.h"
 #include "pinion_fillets.h"
 
@@ -13,7 +10,6 @@
 #include <vfife/fem/submodel/sector_submodel.h>
 #include <vfife/fem/system/load_forces.h>
 #include <vfife/model/load_shares.h>
-#include <vfife/study/fillets/facet_readings.h>
 #include <vfife/study/fillets/fillet_faces.h>
 
 using namespace vfife;

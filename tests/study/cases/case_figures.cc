@@ -3,11 +3,9 @@
 // true bodies, areas, and how wide contacts were when a run warns of them.
 #include "../../parts.h"
 #include "../../read_files.h"
-#include "../../tests.h"
 #include "../gear_model.h"
 #include "../quick_pair.h"
 
-#include <vfife/base/process/mpi_session.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>

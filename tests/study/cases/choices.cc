@@ -3,7 +3,6 @@
 // it from its neighbours. contrib/check_entries asks for every word.
 #include "../../model_sections.h"
 #include "../../parts.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/types.h>

@@ -3,7 +3,6 @@
 // against the outer one.
 #include "../../model_sections.h"
 #include "../../parts.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/types.h>

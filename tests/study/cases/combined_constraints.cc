@@ -2,13 +2,10 @@
 // A quarter of a ring with its planes of symmetry, whose corners are held along x or y and led in
 // radius at once: against Lame's thick ring and against the whole ring, by all solvers.
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/base/types.h>
-
-#include <algorithm>
 
 using namespace vfife;
 

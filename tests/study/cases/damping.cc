@@ -1,21 +1,14 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Damping relative to the turning body: decay of a vibration while the body flies on, and the audit
 // of a ring whose drag is known.
-#include "../../model_sections.h"
 #include "../../read_files.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 #include "../short_rotor.h"
 
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/base/types.h>
 #include <vfife/dynamics/dynamics_options.h>
-
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <cmath>
 
 using namespace vfife;
 

@@ -3,15 +3,12 @@
 // under which the flanks cannot last.
 #include "../../read_files.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/base/text/table.h>
 #include <vfife/gear/unloaded_contact/contact_analysis.h>
 #include <vfife/study/cases/edges_under_load.h>
-
-#include <nlohmann/json.hpp>
 
 using namespace vfife;
 

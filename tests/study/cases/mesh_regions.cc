@@ -3,11 +3,9 @@
 // tell regions; volumes that nothing joins are no body unless that is asked for.
 #include "../../model_sections.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 #include "region_meshes.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/mesh/files/mesh_import.h>
 

@@ -5,14 +5,10 @@
 #include "../../parts.h"
 #include "../../read_files.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/mesh/primitives/primitives.h>
 #include <vfife/model/body.h>
-
-#include <nlohmann/json.hpp>
 
 using namespace vfife;
 

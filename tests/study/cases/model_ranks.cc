@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // General models give the same histories on one rank and on several: bars in contact, a turning
 // body, a clamped beam.
-#include "../../tests.h"
 #include "../history_difference.h"
 #include "../quick_pair.h"
 

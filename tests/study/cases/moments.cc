@@ -3,13 +3,9 @@
 // ring that is spun up closes its energy ledger from the first sample on.
 #include "../../model_sections.h"
 #include "../../parts.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/types.h>
-
-#include <algorithm>
-#include <cmath>
 
 using namespace vfife;
 

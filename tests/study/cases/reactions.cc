@@ -4,12 +4,9 @@
 // planes of symmetry.
 #include "../../model_sections.h"
 #include "../../parts.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/types.h>
-
-#include <algorithm>
 
 using namespace vfife;
 

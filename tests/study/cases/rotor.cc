@@ -1,18 +1,14 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Shafts in bearings against closed forms: a beam on two springs, equilibria of a short rotor, and
 // the rotors of the textbook; what is refused.
-#include "../../model_sections.h"
 #include "../../parts.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 #include "../short_rotor.h"
 
 #include <vfife/base/types.h>
 #include <vfife/mesh/primitives/stepped_shaft.h>
 #include <vfife/model/body.h>
-
-#include <algorithm>
 
 using namespace vfife;
 using namespace rotor_text;

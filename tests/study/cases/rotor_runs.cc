@@ -2,7 +2,6 @@
 // Runs of a short rotor in bearings against closed forms: its whirl, forward and backward, what
 // dampers and couplings do, and the passage of the elements of a bearing whose cage rolls.
 #include "../../parts.h"
-#include "../../tests.h"
 #include "../child_program.h"
 #include "../quick_pair.h"
 #include "../short_rotor.h"
@@ -14,10 +13,6 @@
 #include <vfife/model/body.h>
 
 #include <Eigen/QR>
-
-#include <algorithm>
-#include <array>
-#include <filesystem>
 
 using namespace vfife;
 using namespace rotor_text;

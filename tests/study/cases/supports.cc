@@ -1,9 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Supports of general models against closed forms: springs to the ground, and radius and angle that
 // are prescribed.
-#include "../../model_sections.h"
 #include "../../parts.h"
-#include "../../tests.h"
 #include "../prescribed_ring.h"
 #include "../quick_pair.h"
 

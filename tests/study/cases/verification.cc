@@ -2,7 +2,6 @@
 // The cases of prm/verification on coarse meshes against closed forms; doc/verification/element.md
 // has the fine ones.
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/process/mpi_session.h>

@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Free vibration of an annular plate: frequencies of the explicit response against the modes of the
 // conventional solver on the same mesh with the same lumped masses.
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/process/mpi_session.h>

@@ -3,18 +3,14 @@
 // modes, and the spectrum that both are read from.
 #include "../../model_sections.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/base/process/mpi_session.h>
-#include <vfife/output/files/table_reader.h>
 #include <vfife/study/compare/compared_case.h>
 #include <vfife/study/compare/nearest_mode.h>
 #include <vfife/study/compare/pair/probe_passages.h>
 #include <vfife/study/compare/spectrum_lines.h>
 
-#include <cmath>
 #include <filesystem>
 #include <iomanip>
 

@@ -10,7 +10,6 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>

@@ -3,7 +3,6 @@
 #include "../../refusal.h"
 #include "../../tests.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/base/text/table.h>
 #include <vfife/base/types.h>
 #include <vfife/study/sweep/history_figure.h>

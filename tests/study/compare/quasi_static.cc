@@ -6,8 +6,6 @@
 #include <vfife/base/types.h>
 #include <vfife/study/compare/pair/quasi_static.h>
 
-#include <cmath>
-
 using namespace vfife;
 
 namespace

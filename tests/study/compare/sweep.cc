@@ -1,15 +1,10 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // A sweep over a tiny model: combinations, a run that fails, going on, two runs at a time.
-#include "../../tests.h"
 #include "../child_program.h"
 
 #include <vfife/base/text/table.h>
 #include <vfife/output/files/table_reader.h>
 #include <vfife/study/sweep/error_estimate.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <sstream>
 
 namespace
 {

@@ -5,12 +5,9 @@
 #include "../../model_sections.h"
 #include "../../parts.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/output/files/run_figures.h>
-
-#include <fstream>
 
 using namespace vfife;
 

@@ -4,16 +4,13 @@
 #include "../../model_sections.h"
 #include "../../parts.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../../vtu_file.h"
 #include "../gear_model.h"
 #include "../quick_pair.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/fem/modes/rotating_body.h>
 #include <vfife/fem/pair/coupled_modes.h>
 
-#include <algorithm>
 #include <filesystem>
 
 using namespace vfife;

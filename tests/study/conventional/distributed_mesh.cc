@@ -5,7 +5,6 @@
 #include "../../ranks.h"
 #include "../../read_files.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/output/files/run_figures.h>

@@ -5,10 +5,8 @@
 #include "../../parts.h"
 #include "../../read_files.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/base/types.h>
 
 using namespace vfife;

@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Surface strains of fillets by the faces of finite elements of each degree, divided or not.
 #include "../../ranks.h"
-#include "../../tests.h"
 #include "../few_teeth.h"
 #include "../gear_model.h"
 

@@ -1,18 +1,10 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Pressures on their own grid of a loaded tooth contact analysis of a coarse pair: the penalty
 // leaves no trace in them, and the tables agree.
-#include "../../model_sections.h"
-#include "../../tests.h"
-#include "../quick_pair.h"
 #include "../shaft_pair.h"
 
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/output/files/run_figures.h>
-
-#include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <numeric>
 
 using namespace vfife;
 

@@ -1,12 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Pressures on their own grid of a coarse pair on two ranks are those of one.
 #include "../../model_sections.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/process/mpi_session.h>
-
-#include <cmath>
 
 using namespace vfife;
 

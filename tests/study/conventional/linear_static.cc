@@ -2,17 +2,13 @@
 // Study kind linear static against closed forms: loads, springs, histories, reactions, prescribed
 // displacements, spin; what it refuses; a gear pair's members in their turning axes. Of kind
 // static, what its message says where one step is too large.
-#include "../../model_sections.h"
 #include "../../parts.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../../vtu_file.h"
 #include "../gear_model.h"
 #include "../prescribed_ring.h"
 #include "../quick_pair.h"
 
-#include <vfife/base/errors.h>
-#include <vfife/base/types.h>
 #include <vfife/output/files/run_figures.h>
 
 #include <filesystem>

@@ -3,17 +3,11 @@
 // its stiffnesses against what the torque does.
 #include "../../model_sections.h"
 #include "../../read_files.h"
-#include "../../tests.h"
 #include "../../vtu_file.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/process/mpi_session.h>
-#include <vfife/base/types.h>
 
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 using namespace vfife;

@@ -3,7 +3,6 @@
 // format with a reader of its own; and from a triangulation.
 #include "../../model_sections.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../cases/region_meshes.h"
 #include "../quick_pair.h"
 

@@ -4,14 +4,10 @@
 #include "../../model_sections.h"
 #include "../../read_files.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../../vtu_file.h"
 #include "../quick_pair.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/base/process/mpi_session.h>
-
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 

@@ -2,14 +2,11 @@
 // Root stresses and strain gauges of a loaded tooth contact analysis of a coarse pair.
 #include "../../model_sections.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/output/files/run_figures.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <set>
 

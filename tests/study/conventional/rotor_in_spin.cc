@@ -2,21 +2,14 @@
 // Rotors in spin by the conventional solver: a rigid cylinder on two bearings against its closed
 // form, through its critical speed and on soft mounts; residuals and the number of modes; what
 // axes that turn cannot have is refused, or named.
-#include "../../model_sections.h"
 #include "../../parts.h"
 #include "../../read_files.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 #include "../short_rotor.h"
 
 #include <vfife/base/types.h>
 #include <vfife/element/material.h>
-
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <fstream>
 
 using namespace vfife;
 using namespace rotor_text;

@@ -12,9 +12,6 @@
 
 #include <Eigen/LU>
 
-#include <algorithm>
-#include <cmath>
-
 using namespace vfife;
 
 namespace

@@ -3,12 +3,9 @@
 // the unchanged pair finds the flank from it, and the pair that it writes has that flank.
 #include "../../read_files.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/process/mpi_session.h>
-
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 

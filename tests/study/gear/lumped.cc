@@ -4,15 +4,11 @@
 #include "../../lumped/pair.h"
 #include "../../read_files.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/lumped/speed_sweep.h>
 #include <vfife/study/gear/lumped_study.h>
-
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 

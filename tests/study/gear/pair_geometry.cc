@@ -2,12 +2,9 @@
 // The main dimensions that every study of a gear pair states: of a proposed pair against closed
 // forms, of one from a settings sheet against the sheet, and the log beside the file.
 #include "../../read_files.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/process/mpi_session.h>
-
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 

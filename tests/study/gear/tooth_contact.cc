@@ -4,12 +4,9 @@
 // as they are printed.
 #include "../../read_files.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/process/mpi_session.h>
-
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 

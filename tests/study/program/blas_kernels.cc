@@ -1,13 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // The program has kernels of OpenBLAS for its processor's instruction set, or those that the user
 // asks for.
-#include "../../tests.h"
 #include "../child_program.h"
 
 #include <vfife/base/process/blas_kernels.h>
 
 #include <cstdlib>
-#include <fstream>
 
 namespace
 {

@@ -5,15 +5,11 @@
 // contrib/check_pages asks for such a row of every table.
 #include "../../parts.h"
 #include "../../read_files.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/types.h>
 #include <vfife/study/sweep/history_figure.h>
 
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
 #include <complex>
 #include <regex>
 

@@ -2,12 +2,9 @@
 // Files that a parameter file names: found beside it from any folder, and by the parameters that
 // are kept with the results; known by their content where results are taken over. One study at a
 // time in a folder.
-#include "../../tests.h"
 #include "../child_program.h"
 
 #include <vfife/output/files/table_reader.h>
-
-#include <filesystem>
 
 namespace
 {

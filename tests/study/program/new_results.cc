@@ -2,18 +2,11 @@
 // Studies one after the other in one folder, whatever their kinds: results of the earlier one are
 // put away, and stay as they are where the input of the new one is refused, early or late.
 #include "../../model_sections.h"
-#include "../../read_files.h"
-#include "../../tests.h"
 #include "../forged_checkpoint.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/errors.h>
-#include <vfife/base/process/mpi_session.h>
 
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <filesystem>
 #include <set>
 
 using namespace vfife;

@@ -2,7 +2,6 @@
 // One file for several kinds of study: sections that a kind does not read stay in it, but what is
 // misspelt in them is found. Modes at rest ask for no speed.
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/process/mpi_session.h>

@@ -5,7 +5,6 @@
 #include "../../parts.h"
 #include "../../read_files.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/parameters/parameter_file.h>
@@ -14,11 +13,6 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <filesystem>
 
 using namespace vfife;

@@ -2,16 +2,9 @@
 // What a user reads whose parameter file is wrong: file, line, what is wrong, and what may be
 // meant; what --check says of one that is right, and of materials that are none.
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
-#include <vfife/base/errors.h>
-#include <vfife/base/process/communicator.h>
-#include <vfife/base/process/log.h>
 #include <vfife/base/process/mpi_session.h>
-
-#include <fstream>
-#include <sstream>
 
 using namespace vfife;
 

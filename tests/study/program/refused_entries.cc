@@ -3,7 +3,6 @@
 // with one entry changed. The .output file has the messages.
 #include "../../parts.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 using namespace vfife;

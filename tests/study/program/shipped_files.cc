@@ -6,10 +6,8 @@
 //   output folder of a file of prm/; where those results are missing, that is what is said.
 #include "../../parts.h"
 #include "../../read_files.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <regex>
 

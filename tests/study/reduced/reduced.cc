@@ -3,15 +3,10 @@
 #include "../../parts.h"
 #include "../../read_files.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../few_teeth.h"
 
 #include <vfife/base/text/column_names.h>
-#include <vfife/output/files/table_reader.h>
 
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
 #include <filesystem>
 
 using namespace vfife;

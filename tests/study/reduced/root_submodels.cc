@@ -1,13 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Root stresses by submodels of a run, a reduced pair and a loaded analysis: the same pair in the
 // same static equilibrium, and the same motion.
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/process/mpi_session.h>
-
-#include <algorithm>
-#include <map>
 
 using namespace vfife;
 

@@ -3,14 +3,11 @@
 // largest over a period against closed forms; what is refused.
 #include "../../parts.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../gear_model.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/complex.h>
 #include <vfife/study/stress_waves/stress_wave_places.h>
-
-#include <cmath>
 
 using namespace vfife;
 

@@ -5,7 +5,6 @@
 #include "../../tests.h"
 
 #include <vfife/base/complex.h>
-#include <vfife/base/errors.h>
 #include <vfife/base/types.h>
 #include <vfife/study/waves/wave_fits.h>
 

@@ -4,12 +4,9 @@
 #include "../../parts.h"
 #include "../../read_files.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../few_teeth.h"
 
 #include <vfife/output/files/run_figures.h>
-
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 

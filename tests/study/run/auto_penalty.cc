@@ -3,12 +3,9 @@
 // analysis, the explicit run and the reduced pair approach each other as on the contact's own grid,
 // also between the positions of the calibration. The penalty 30 E*/m does not. With the penalty of
 // quadratic elements the run starts with the transmission error of these.
-#include "../../tests.h"
-#include "../quick_pair.h"
 #include "grid_errors.h"
 
 #include <vfife/base/process/mpi_session.h>
-
 
 using namespace vfife;
 

@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Contact/penalty elements = cubic: the start of a run differs from that with quadratic elements by
 // as much as loaded analyses of both elements differ.
-#include "../../tests.h"
 #include "../few_teeth.h"
 #include "grid_errors.h"
 

@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // The model of a pair with either member driving, in both directions: the working flanks stand
 // together at the start, the driver pushes, the load holds against it.
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/parameters/parameter_file.h>

@@ -4,7 +4,6 @@
 // the gear without errors and F/r of the turned teeth.
 #include "../../model_sections.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/process/mpi_session.h>

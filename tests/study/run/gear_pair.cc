@@ -2,7 +2,6 @@
 // From a parameter file to results: one mesh cycle of a coarse pair with a conical web.
 #include "../../model_sections.h"
 #include "../../read_files.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/parameters/parameter_file.h>
@@ -13,10 +12,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <nlohmann/json.hpp>
-
 #include <filesystem>
-#include <numeric>
 
 using namespace vfife;
 

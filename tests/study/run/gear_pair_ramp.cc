@@ -3,7 +3,6 @@
 // the balance of angular momentum, and a run that ends after a number of steps.
 #include "../../dynamics/one_solver.h"
 #include "../../read_files.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/parameters/parameter_file.h>
@@ -15,8 +14,6 @@
 #include <vfife/study/run/stepped_solver.h>
 
 #include <deal.II/base/parameter_handler.h>
-
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 

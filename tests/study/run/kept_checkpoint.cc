@@ -3,15 +3,11 @@
 // test (kept_checkpoint/model.prm says how it was written), and from ones that know other entries
 // and other parts than this version does.
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../forged_checkpoint.h"
 #include "../history_difference.h"
 #include "../quick_pair.h"
 
-#include <vfife/base/process/mpi_session.h>
 #include <vfife/base/text/byte_stream.h>
-
-#include <algorithm>
 
 using namespace vfife;
 

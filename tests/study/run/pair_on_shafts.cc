@@ -4,19 +4,10 @@
 // adds; shafts and bearings that cannot be.
 #include "../../parts.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../child_program.h"
-#include "../quick_pair.h"
 #include "../shaft_pair.h"
 
-#include <vfife/base/types.h>
-
 #include <Eigen/Core>
-
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <filesystem>
 
 using namespace vfife;
 using namespace shaft_pair;

@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // The preloaded start by factors of the conventional stiffness is that by dynamic relaxation, and
 // is found where Newton's method goes round.
-#include "../../tests.h"
 #include "../few_teeth.h"
 
 #include <vfife/base/process/mpi_session.h>

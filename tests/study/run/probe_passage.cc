@@ -2,14 +2,10 @@
 // Which copy of node A a run of a gear pair records: that whose passage has its peak in the record,
 // by the static curve of conventional finite elements; on any number of ranks; kept by a restart.
 #include "../../read_files.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/process/mpi_session.h>
 
-#include <nlohmann/json.hpp>
-
-#include <cmath>
 #include <filesystem>
 
 using namespace vfife;

@@ -1,12 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Runs that are stopped, killed or made longer go on to the same digits; what cannot go on is said.
-#include "../../tests.h"
-#include "../child_program.h"
 #include "../forged_checkpoint.h"
 #include "../history_difference.h"
 #include "../quick_pair.h"
-
-#include <filesystem>
 
 namespace
 {

@@ -4,15 +4,10 @@
 // analysis, friction stays out of them; instants that are none are refused.
 #include "../../model_sections.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/output/files/run_figures.h>
-
-#include <algorithm>
-#include <cmath>
-#include <fstream>
 
 using namespace vfife;
 

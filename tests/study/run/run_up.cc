@@ -3,17 +3,10 @@
 // the run, orders over the speed; a run that goes on and one that is made longer have the same
 // digits; what is refused.
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../child_program.h"
 #include "../quick_pair.h"
 
-#include <vfife/base/process/mpi_session.h>
 #include <vfife/base/types.h>
-
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <filesystem>
 
 using namespace vfife;
 

@@ -2,11 +2,7 @@
 // A pair on shafts in a run: its step is that of the teeth, and turned slowly through a mesh cycle
 // it is on average where the loaded tooth contact analysis has it.
 #include "../../parts.h"
-#include "../../tests.h"
 #include "../shaft_pair.h"
-
-#include <algorithm>
-#include <cmath>
 
 using namespace vfife;
 using namespace shaft_pair;

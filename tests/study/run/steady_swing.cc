@@ -2,14 +2,11 @@
 // Dynamics/start = steady torsional vibration: its motion by an integration in time, and runs that
 // begin in it beside runs that begin at rest.
 #include "../../parts.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/study/run/deflection_parts.h>
 #include <vfife/study/run/steady_swing.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 using namespace vfife;

@@ -2,10 +2,8 @@
 // A run whose step is too long, because the bound of the assembly was given wrong: it goes back to
 // a state before and on with two steps in the place of one; samples stay where they were.
 #include "../../model/model_text.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
-#include <vfife/base/process/log.h>
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/base/text/byte_stream.h>
 #include <vfife/dynamics/operator/step_bound.h>
