@@ -108,8 +108,8 @@ namespace
     double wrong = 0, inverse = 0;
     for (const double t : {.0371, 1e-5, .1, .0123, .2})
       {
-        wrong   = largest_of(wrong, std::abs(speed.factor.integral(t) / exact(t) - 1));
-        inverse = largest_of(inverse, std::abs(speed.factor.find_time(exact(t)) / t - 1));
+        raise_to(wrong, std::abs(speed.factor.integral(t) / exact(t) - 1));
+        raise_to(inverse, std::abs(speed.factor.find_time(exact(t)) / t - 1));
       }
     check_below("formula: integral to round-off", wrong, 1e-14);
     check_below("formula: time of an integral", inverse, 1e-13);

@@ -180,9 +180,8 @@ namespace
             for (unsigned int j = 0; j < 15; ++j)
               {
                 const double slope = -(a.loads[j / 5][j % 5] - b.loads[j / 5][j % 5]) / (2 * step);
-                worst_stiffness =
-                  largest_of(worst_stiffness,
-                             std::abs(slope - response.stiffness(j, i)) / (unit(i) * unit(j)));
+                raise_to(worst_stiffness,
+                         std::abs(slope - response.stiffness(j, i)) / (unit(i) * unit(j)));
               }
           }
         const std::string name = size < 1 ? "small: " : "large: ";

@@ -51,14 +51,12 @@ namespace
                               less = bearing.evaluate(q - h * Vector5::Unit(i));
         // By the energy of a way on the stiffness: a cylindrical bearing has no axial load at all.
         const double scale = std::sqrt(2 * here.energy * bearing.stiffness_bound()(i, i));
-        load =
-          largest_of(load, std::abs((plus.energy - less.energy) / (2 * h) + here.load[i]) / scale);
+        raise_to(load, std::abs((plus.energy - less.energy) / (2 * h) + here.load[i]) / scale);
         const Vector5 column = -(plus.load - less.load) / (2 * h);
         for (unsigned int j = 0; j < 5; ++j)
-          stiffness = largest_of(stiffness,
-                                 std::abs(column[j] - here.stiffness(j, i)) /
-                                   std::sqrt(bearing.stiffness_bound()(i, i) *
-                                             bearing.stiffness_bound()(j, j)));
+          raise_to(stiffness,
+                   std::abs(column[j] - here.stiffness(j, i)) /
+                     std::sqrt(bearing.stiffness_bound()(i, i) * bearing.stiffness_bound()(j, j)));
       }
     check_below(name + ": load less the slope of the energy", load, 1e-6);
     check_below(name + ": stiffness less the slope of the load", stiffness, 1e-4);

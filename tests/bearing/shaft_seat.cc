@@ -139,7 +139,7 @@ namespace
       {
         const Vector5 step = 1e-3 * Vector5::Unit(i);
         const double slope = (law.evaluate(q + step).energy - law.evaluate(q - step).energy) / 2e-3;
-        deviation          = largest_of(deviation, std::abs(law.evaluate(q).load[i] + slope));
+        raise_to(deviation, std::abs(law.evaluate(q).load[i] + slope));
       }
     check_below("load is minus the slope of the energy [N, N mm]", deviation, 1e-9);
   }

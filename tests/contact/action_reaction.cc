@@ -77,9 +77,8 @@ namespace
         const GroupPairResult &result = contact.results().at(0);
         const double           scale  = result.normal_force;
         touching                      = touching && scale > 1. && result.friction_loss > 0.;
-        force_error = largest_of(force_error, (slave.force() + master.force()).norm() / scale);
-        moment_error =
-          largest_of(moment_error, (slave.moment() + master.moment()).norm() / (100. * scale));
+        raise_to(force_error, (slave.force() + master.force()).norm() / scale);
+        raise_to(moment_error, (slave.moment() + master.moment()).norm() / (100. * scale));
         result_error = largest_of({result_error,
                                    (slave.force() - result.force).norm() / scale,
                                    (slave.moment() - result.moment).norm() / (100. * scale)});
@@ -126,9 +125,9 @@ namespace
               }
             const double largest = largest_size(slave_forces);
             for (unsigned int i = 0; i < slave_forces.size(); ++i)
-              error = largest_of(error, std::abs(slave.forces[i] - slave_forces[i]) / largest);
+              raise_to(error, std::abs(slave.forces[i] - slave_forces[i]) / largest);
             for (unsigned int i = 0; i < master_forces.size(); ++i)
-              error = largest_of(error, std::abs(master.forces[i] - master_forces[i]) / largest);
+              raise_to(error, std::abs(master.forces[i] - master_forces[i]) / largest);
             result_error =
               largest_of({result_error,
                           (sum.force - result.force).norm() / result.normal_force,
@@ -193,11 +192,11 @@ namespace
       {
         const auto &old = surface == &slave ? forces_before.first : forces_before.second;
         for (unsigned int n = 0; n < surface->surface.positions.size(); ++n)
-          error = largest_of(error,
-                             (Vector3(MovingSurface::at(surface->forces, n)) -
-                              common.rotation * Eigen::Map<const Vector3>(old.data() + 3 * n))
-                                 .norm() /
-                               scale);
+          raise_to(error,
+                   (Vector3(MovingSurface::at(surface->forces, n)) -
+                    common.rotation * Eigen::Map<const Vector3>(old.data() + 3 * n))
+                       .norm() /
+                     scale);
       }
     // Speeds of 3e5 mm/s times round-off 1e-16, and that of coordinates of 100 mm times a penalty
     // of 1e6 N/mm^3.

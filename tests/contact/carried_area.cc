@@ -79,9 +79,9 @@ namespace
               }
           }
         for (std::size_t k = 0; k < on_master.size(); ++k)
-          largest.first = largest_of(largest.first, on_master[k] / master_bounds[k]);
+          raise_to(largest.first, on_master[k] / master_bounds[k]);
         for (std::size_t k = 0; k < on_slave.size(); ++k)
-          largest.second = largest_of(largest.second, on_slave[k] / slave_bounds[k]);
+          raise_to(largest.second, on_slave[k] / slave_bounds[k]);
       }
     return largest;
   }
@@ -152,7 +152,7 @@ namespace
                             const std::vector<double> &other) {
       double worst = 0.;
       for (std::size_t i = 0; i < mean.size(); ++i)
-        worst = largest_of(worst, std::abs(mean[i] - (one[i] + other[i]) / 2.));
+        raise_to(worst, std::abs(mean[i] - (one[i] + other[i]) / 2.));
       check_below("two passes at their start: " + name, worst, 1e-13);
     };
     compare("slave's nodes",
@@ -217,8 +217,7 @@ namespace
         double       square       = 0.;
         // Anywhere inside, and with the heaviest point of a facet on the master's corner.
         for (const double place : {3., 3.1, 3.25, 3.5, 1e-6 - 0.5 * width})
-          square =
-            largest_of(square, largest_square(planes.press(0., {place, place}), slave, master));
+          raise_to(square, largest_square(planes.press(0., {place, place}), slave, master));
         std::ostringstream name;
         name << "slave of " << width << " mm: ";
         check(name.str() + "square of the frequency within the bound", square <= bound);

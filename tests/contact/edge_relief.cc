@@ -64,9 +64,9 @@ namespace
             x += N[k] * surface.positions[surface.facets[f][k]];
           const double expected = ramp(2. - x[1]) + ramp(x[0]) + ramp(6. - x[0]);
           const double value    = relief.value(f, xi, eta);
-          largest               = largest_of(largest, value);
-          deviation             = largest_of(deviation, std::abs(value - expected));
-          const auto   slope    = relief.gradient(f, xi, eta);
+          raise_to(largest, value);
+          raise_to(deviation, std::abs(value - expected));
+          const auto   slope = relief.gradient(f, xi, eta);
           const double by_xi =
             (relief.value(f, xi + h, eta) - relief.value(f, xi - h, eta)) / (2. * h);
           const double by_eta =
@@ -85,7 +85,7 @@ namespace
     const EdgeRelief all(surface, options_for(width, depth));
     double           low = 0.;
     for (unsigned int f = 0; f < surface.facets.size(); ++f)
-      low = largest_of(low, all.value(f, 0.5, 0.5));
+      raise_to(low, all.value(f, 0.5, 0.5));
     // A corner facet of 0.5 mm has three corners on the border, so its centre is at a quarter of
     // that.
     check_close("without numbers the whole border is one edge [mm]", low, ramp(0.125), 1e-15);
@@ -160,11 +160,11 @@ namespace
       for (unsigned int i = 0; i < 20; ++i)
         {
           place.translation = Vector3(2.7 + 0.2 * uniform(random), 0.8 + 0.2 * uniform(random), 0.);
-          worst             = largest_of(worst, shift_error(bodies, place));
+          raise_to(worst, shift_error(bodies, place));
           bodies.slave.place(place);
           bodies.compute();
           const Vector3 f = bodies.slave.force();
-          tangential      = largest_of(tangential, std::hypot(f[0], f[1]) / f[2]);
+          raise_to(tangential, std::hypot(f[0], f[1]) / f[2]);
         }
       // Second derivatives jump where a point comes under the relief or under pressure; points that
       // leave the border at a relief below the depth jump: the slave's own relief keeps them open.
@@ -181,7 +181,7 @@ namespace
           place.rotation = rotation_about(Vector3::UnitY(), 0.235 + 0.008 * uniform(random)) *
                            rotation_about(Vector3::UnitX(), 0.1 * uniform(random));
           place.translation = place.rotation * Vector3(0., 0., 80. - 0.01);
-          worst             = largest_of(worst, shift_error(bodies, place));
+          raise_to(worst, shift_error(bodies, place));
         }
       check_below("spheres at the border: force against differences of the energy", worst, 1e-3);
     }
@@ -213,10 +213,9 @@ namespace
             const double t     = std::max(0., 1. - d / width);
             const double gap   = depth * t * t - penetration;
             if (relieved)
-              deviation =
-                largest_of(deviation,
-                           std::abs(force - (d > 0. ? std::max(0., -gap / penetration) : 0.)));
-            step = largest_of(step, std::abs(force - last / full));
+              raise_to(deviation,
+                       std::abs(force - (d > 0. ? std::max(0., -gap / penetration) : 0.)));
+            raise_to(step, std::abs(force - last / full));
             last = force * full;
           }
         const std::string name = relieved ? "relieved tip" : "sharp tip";

@@ -150,17 +150,16 @@ namespace
           for (unsigned int c = 0; c < 3; ++c)
             {
               const auto way = touch.way_of(touch.slave, n, Vector3::Unit(c));
-              error          = largest_of(error,
-                                 std::abs(dot(slave_forces, way) + touch.slope(touch.slave, way)) /
-                                   scale);
+              raise_to(error,
+                       std::abs(dot(slave_forces, way) + touch.slope(touch.slave, way)) / scale);
             }
         const Matrix3 axes = touch.master.body.rotation;
         for (unsigned int n = 0; n < master.positions.size(); ++n)
           for (unsigned int c = 0; c < 2; ++c)
             {
               const auto way = touch.way_of(touch.master, n, axes.col(c));
-              error          = largest_of(
-                error, std::abs(dot(master_forces, way) + touch.slope(touch.master, way)) / scale);
+              raise_to(error,
+                       std::abs(dot(master_forces, way) + touch.slope(touch.master, way)) / scale);
             }
       }
     check(name + ": the surfaces touch", touched > 1000.);
@@ -190,8 +189,8 @@ namespace
           touch.slave.positions[k] += 0.001 * way[k];
         touch.energy();
         const double force = dot(touch.slave.forces, way);
-        error              = largest_of(error, std::abs(force + touch.slope(touch.slave, way)));
-        largest            = largest_of(largest, force);
+        raise_to(error, std::abs(force + touch.slope(touch.slave, way)));
+        raise_to(largest, force);
         done += 0.002 * force;
         for (std::size_t k = 0; k < way.size(); ++k)
           touch.slave.positions[k] += 0.001 * way[k];
@@ -254,8 +253,8 @@ namespace
         &surface == &touch.slave ? answer(springs, way, none) : answer(springs, none, way);
       for (std::size_t i = 0; i < high.size(); ++i)
         {
-          error   = largest_of(error, std::abs((high[i] - low[i]) / (2. * step) - expected[i]));
-          largest = largest_of(largest, std::abs(expected[i]));
+          raise_to(error, std::abs((high[i] - low[i]) / (2. * step) - expected[i]));
+          raise_to(largest, std::abs(expected[i]));
         }
     };
     for (unsigned int n = 0; n < touch.slave.surface.positions.size(); ++n)
@@ -301,11 +300,10 @@ namespace
             };
             const double slope    = (root_at(step) - root_at(-step)) / (2. * step);
             touch.slave.positions = before;
-            error                 = largest_of(error, std::abs(slope + spring.direction[c]));
+            raise_to(error, std::abs(slope + spring.direction[c]));
           }
         const Vector3 normal = touch.master.body.rotation.col(2);
-        along =
-          largest_of(along, (spring.direction - normal.dot(spring.direction) * normal).norm());
+        raise_to(along, (spring.direction - normal.dot(spring.direction) * normal).norm());
       }
     check("in the strip a spring leans outwards", along > 0.02);
     check_below("direction of a spring against differences of sqrt(2 E/k)", error, 1e-7);
@@ -337,8 +335,7 @@ namespace
     double error = 0., sum = 0.;
     for (unsigned int n = 0; n < expected.size(); ++n)
       {
-        error =
-          largest_of(error, std::abs(contact.node_springs().slave_areas().at(n) - expected[n]));
+        raise_to(error, std::abs(contact.node_springs().slave_areas().at(n) - expected[n]));
         sum += contact.node_springs().slave_areas()[n];
       }
     check_below("areas of the nodes [mm^2]", error, 1e-14);

@@ -65,9 +65,9 @@ namespace
               ++compared;
               const double lag   = position.lag / arcsecond;
               const double found = find_lag(pair, side, p * own.pitch(), slave, master, contact);
-              difference         = largest_of(difference, std::abs(found - lag));
-              least              = std::min(least, lag);
-              most               = std::max(most, lag);
+              raise_to(difference, std::abs(found - lag));
+              least = std::min(least, lag);
+              most  = std::max(most, lag);
             }
         check_below(name + ", " + side_name(side) + ": difference of the mesh [arcsec]",
                     difference,

@@ -107,7 +107,7 @@ namespace
       {
         found.points.push_back(points[i]);
         found.pressures.push_back(result.forces[i] / (sides[0] * sides[1]));
-        found.peak = largest_of(found.peak, found.pressures.back());
+        raise_to(found.peak, found.pressures.back());
         found.force += result.forces[i];
         moment += result.forces[i] * points[i].cwiseAbs2();
       }
@@ -193,10 +193,10 @@ namespace
     double        worst = 0.;
     for (std::size_t i = 0; i < found.points.size(); ++i)
       if (found.points[i].norm() < .8 * a)
-        worst = largest_of(worst,
-                           std::abs(found.pressures[i] * 2. * pi * a / load *
-                                      std::sqrt(a * a - found.points[i].squaredNorm()) -
-                                    1.));
+        raise_to(worst,
+                 std::abs(found.pressures[i] * 2. * pi * a / load *
+                            std::sqrt(a * a - found.points[i].squaredNorm()) -
+                          1.));
     check_below("punch, pressure within four fifths of its radius", worst, 0.02);
     check_ratio("punch, approach", found.closing / (load / (2. * a * modulus)), 0.01);
   }
@@ -217,7 +217,7 @@ namespace
       for (std::size_t i = 0; i < found.points.size(); ++i)
         if (std::abs(found.points[i][1] - y) < length / (4. * n))
           {
-            peak = largest_of(peak, found.pressures[i]);
+            raise_to(peak, found.pressures[i]);
             density += found.pressures[i] * 1.4 * half / n;
           }
       return Vector2(peak / std::sqrt(density * modulus / (pi * radius)), density * length / load);
@@ -271,9 +271,9 @@ namespace
           1.);
         const Eigen::VectorXd h =
           gaps + flexibility * found.forces - Eigen::VectorXd::Constant(n, found.closing);
-        worst = largest_of(worst, std::abs(found.forces.sum() - 1.));
+        raise_to(worst, std::abs(found.forces.sum() - 1.));
         for (Eigen::Index k = 0; k < n; ++k)
-          worst = largest_of(worst, found.forces[k] > 0. ? std::abs(h[k]) : -h[k]);
+          raise_to(worst, found.forces[k] > 0. ? std::abs(h[k]) : -h[k]);
       }
     check_below("cells of made-up flexibilities: gap of one that carries, penetration",
                 worst,
@@ -322,8 +322,7 @@ namespace
     check_below("ill-conditioned cells: forces", (found.forces - wanted).lpNorm<1>() / n, 1e-6);
     double penetration = 0.;
     for (Eigen::Index i = 0; i < n; ++i)
-      penetration =
-        largest_of(penetration, wanted[i] > 0. ? std::abs(found.gaps[i]) : -found.gaps[i]);
+      raise_to(penetration, wanted[i] > 0. ? std::abs(found.gaps[i]) : -found.gaps[i]);
     check_below("ill-conditioned cells: penetration", penetration, 1e-8);
   }
 } // namespace

@@ -88,11 +88,10 @@ namespace
                ++n)
             {
               bodies.step(dt, *law, penalty, 0.);
-              energy = largest_of(energy, std::abs(bodies.energy / kinetic - 1.));
-              impulse =
-                largest_of(impulse,
-                           std::abs((2. * bodies.velocity[0] + 3. * bodies.velocity[1]) / momentum -
-                                    1.));
+              raise_to(energy, std::abs(bodies.energy / kinetic - 1.));
+              raise_to(impulse,
+                       std::abs((2. * bodies.velocity[0] + 3. * bodies.velocity[1]) / momentum -
+                                1.));
             }
           std::ostringstream name;
           name << (law == &linear ? "linear" : "exponential") << ", k dt^2/m = " << stiffness
@@ -192,8 +191,8 @@ namespace
                          : b > 0.         ? .5 * penalty * b * b / (b - a)
                          : a > 0.         ? .5 * penalty * a * a / (a - b)
                                           : 0.;
-        force          = largest_of(force, point.pressure);
-        error          = largest_of(error, std::abs(point.pressure - p));
+        raise_to(force, point.pressure);
+        raise_to(error, std::abs(point.pressure - p));
       }
     check_below("shared nodes: pressures solve their law", error / force, 1e-7);
     check_below("shared nodes: a held node stays",

@@ -30,19 +30,17 @@ namespace
                            twice = evaluate(make, h, 2. * penalty),
                            low   = evaluate(make, h - step, penalty),
                            high  = evaluate(make, h + step, penalty);
-        pressure_error =
-          largest_of(pressure_error,
-                     std::abs((high.energy - low.energy) / (2. * step) / here.pressure - 1.));
-        tangent_error =
-          largest_of(tangent_error,
-                     std::abs((high.pressure - low.pressure) / (2. * step) / here.tangent - 1.));
-        steepest = largest_of(steepest, here.tangent / penalty);
-        scaling  = largest_of({scaling,
-                               std::abs(twice.pressure / here.pressure - 2.),
-                               std::abs(twice.energy / here.energy - 2.),
-                               std::abs(twice.tangent / here.tangent - 2.)});
-        grows    = grows && here.pressure > before;
-        before   = here.pressure;
+        raise_to(pressure_error,
+                 std::abs((high.energy - low.energy) / (2. * step) / here.pressure - 1.));
+        raise_to(tangent_error,
+                 std::abs((high.pressure - low.pressure) / (2. * step) / here.tangent - 1.));
+        raise_to(steepest, here.tangent / penalty);
+        scaling = largest_of({scaling,
+                              std::abs(twice.pressure / here.pressure - 2.),
+                              std::abs(twice.energy / here.energy - 2.),
+                              std::abs(twice.tangent / here.tangent - 2.)});
+        grows   = grows && here.pressure > before;
+        before  = here.pressure;
       }
     const PressedPoint none = evaluate(make, 0., penalty);
     check(name + ": nothing at no penetration", none.pressure == 0. && none.energy == 0.);

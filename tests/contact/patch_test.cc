@@ -117,9 +117,7 @@ namespace
         for (unsigned int a = 0; a < 24; ++a)
           u_e[a] = u[dofs[a]];
         for (const Vector3 &x : gauss_points())
-          error =
-            largest_of(error,
-                       std::abs(youngs_modulus * (strain_matrix(edges, x) * u_e)[2] + pressure));
+          raise_to(error, std::abs(youngs_modulus * (strain_matrix(edges, x) * u_e)[2] + pressure));
       });
       return error;
     }

@@ -28,7 +28,7 @@ namespace
           double sum = 0.;
           for (unsigned int i = 0; i < n; ++i)
             sum += weights[i] * std::pow(points[i], degree);
-          largest = largest_of(largest, std::abs(sum - 1. / (degree + 1.)));
+          raise_to(largest, std::abs(sum - 1. / (degree + 1.)));
         }
     check_below("Gauss rules integrate degree 2n-1", largest, 1e-14);
 
@@ -107,11 +107,11 @@ namespace
           all_found = all_found && project_walking(g, x, p) && p.inside;
           const Vector3 n = g.state(p.facet).normal(p.xi, p.eta).normalized();
           const Vector3 r = x - g.state(p.facet).position(p.xi, p.eta);
-          offline         = largest_of(offline, r.cross(n).norm());
+          raise_to(offline, r.cross(n).norm());
           return r.dot(n) - g.offset(p.facet, p.xi, p.eta);
         };
-        gap_error  = largest_of(gap_error, std::abs(gap(geometry) - height));
-        flat_error = largest_of(flat_error, std::abs(gap(facets) - height));
+        raise_to(gap_error, std::abs(gap(geometry) - height));
+        raise_to(flat_error, std::abs(gap(facets) - height));
       }
     check("all points over the sphere are found from any facet", all_found);
     // 1e-6 of the radius was asked for; interpolation of the offsets leaves far less
@@ -134,7 +134,7 @@ namespace
     geometry.bind(moving.motion());
     double largest = 0.;
     for (unsigned int f = 0; f < surface.facets.size(); ++f)
-      largest = largest_of(
+      raise_to(
         largest,
         (geometry.state(f).m[0] - motion.rotation * surface.normals[surface.facets[f][0]]).norm());
     check_below("nodal normals after a rigid motion are the true ones, rotated", largest, 1e-14);
@@ -149,9 +149,9 @@ namespace
     for (unsigned int f = 0; f < surface.facets.size(); ++f)
       {
         Vector3 n = surface.normals[surface.facets[f][0]];
-        kept      = largest_of(kept, (n - Vector3(n[0], n[1], n[2] / 1.1).normalized()).norm());
-        n         = Vector3(n[0], n[1], n[2] / 1.1).normalized();
-        followed  = largest_of(followed, (geometry.state(f).m[0] - n).norm());
+        raise_to(kept, (n - Vector3(n[0], n[1], n[2] / 1.1).normalized()).norm());
+        n = Vector3(n[0], n[1], n[2] / 1.1).normalized();
+        raise_to(followed, (geometry.state(f).m[0] - n).norm());
       }
     // at the border the facets lie on one side only, and their difference to the true normal is not
     // stretched: an error of the stretch times half a facet's angle, 0.1 * 0.033, against the

@@ -125,7 +125,7 @@ namespace
             std::sort(gaps.begin(), gaps.end());
             std::sort(entry.second.begin(), entry.second.end());
             for (std::size_t k = 0; k < std::min(gaps.size(), entry.second.size()); ++k)
-              gap_error = largest_of(gap_error, std::abs(gaps[k] - entry.second[k]));
+              raise_to(gap_error, std::abs(gaps[k] - entry.second[k]));
           }
         for (const auto &entry : found)
           if (entry.second.size() > reference[entry.first].size())

@@ -65,12 +65,12 @@ namespace
         master.clear_forces();
         add_forces(contact, slave, master);
         const double force = slave.force().dot(along);
-        ripple.deviation   = largest_of(ripple.deviation, std::abs(force / reference - 1.));
+        raise_to(ripple.deviation, std::abs(force / reference - 1.));
         if (last >= 0.)
-          ripple.step = largest_of(ripple.step, std::abs(force - last) / reference);
-        last    = force;
-        largest = largest_of(largest, force);
-        least   = std::min(least, force);
+          raise_to(ripple.step, std::abs(force - last) / reference);
+        last = force;
+        raise_to(largest, force);
+        least = std::min(least, force);
       }
     ripple.spread = (largest - least) / (largest + least);
     return ripple;
@@ -160,10 +160,10 @@ namespace
             slave.clear_forces();
             add_forces(contact, slave, master);
             const double force = slave.force()[2];
-            step               = largest_of(step, std::abs(force - last) / full);
-            slope_step         = largest_of(slope_step, std::abs(force - last - last_slope) / full);
-            last_slope         = force - last;
-            last               = force;
+            raise_to(step, std::abs(force - last) / full);
+            raise_to(slope_step, std::abs(force - last - last_slope) / full);
+            last_slope = force - last;
+            last       = force;
             // Area, energy and pressure fade as the force does, the depth does not; the slope of
             // the energy pushes the slave outwards.
             const double t    = std::clamp((1. - motion.translation[0]) / 0.15, 0., 1.),

@@ -63,22 +63,21 @@ namespace
       for (const std::uint32_t i : state.partition->nodes(0))
         {
           const Vector3 X = model.bodies[0].node_positions()[state.partition->global_node[i]];
-          followed =
-            largest_of(followed, (state.body_motion[0](X) - state.node_position(i)).norm());
+          raise_to(followed, (state.body_motion[0](X) - state.node_position(i)).norm());
         }
       measured =
         largest_of({measured,
                     (state.measured.momentum - now.linear).norm() / start.linear.norm(),
                     (state.measured.angular_momentum - now.angular).norm() / start.angular.norm()});
-      linear = largest_of(linear, (now.linear - start.linear).norm() / start.linear.norm());
+      raise_to(linear, (now.linear - start.linear).norm() / start.linear.norm());
       const Vector3 spin =
         now.angular - (centre + (state.time - state.dt / 2) * flight).cross(now.linear);
       const Vector3 first_spin =
         start.angular - (centre - state.dt / 2 * flight).cross(start.linear);
-      angular = largest_of(angular, (spin - first_spin).norm() / first_spin.norm());
-      energy  = largest_of(energy,
-                          std::abs(state.measured.energy.residual()) /
-                            (0.5 * omega.dot(Vector3(inertia.cwiseProduct(omega)))));
+      raise_to(angular, (spin - first_spin).norm() / first_spin.norm());
+      raise_to(energy,
+               std::abs(state.measured.energy.residual()) /
+                 (0.5 * omega.dot(Vector3(inertia.cwiseProduct(omega)))));
 
       Vector3             corner[4];
       const std::uint32_t nodes[4] = {0, 8, 36, 90};
@@ -86,14 +85,14 @@ namespace
         corner[c] = state.node_position(state.partition->local_node[nodes[c]]);
       const double size[3] = {20, 10, 4};
       for (unsigned int c = 0; c < 3; ++c)
-        stretch = largest_of(stretch, std::abs((corner[c + 1] - corner[0]).norm() / size[c] - 1));
+        raise_to(stretch, std::abs((corner[c + 1] - corner[0]).norm() / size[c] - 1));
 
       // Rates in the block's axes: those of the angular momentum.
       advance_rigid(state.time);
       Vector3 own;
       for (unsigned int c = 0; c < 3; ++c)
         own[c] = first_spin.dot((corner[c + 1] - corner[0]).normalized()) / inertia[c];
-      euler      = largest_of(euler, (own - rate).norm() / omega.norm());
+      raise_to(euler, (own - rate).norm() / omega.norm());
       least_side = std::min(least_side, own[1] / omega[1]);
     });
     run.solver.run(run.state, 6 * turn_time, observers);
@@ -179,11 +178,10 @@ namespace
           square += masses[i] * state.node_velocity(i).squaredNorm();
         }
       const double modal_mass = model.bodies[0].mass() / 2;
-      other                   = largest_of(other,
-                         std::abs(square - mode * mode / modal_mass) /
-                           (modal_mass * amplitude * amplitude));
+      raise_to(other,
+               std::abs(square - mode * mode / modal_mass) / (modal_mass * amplitude * amplitude));
       zeros.add(state.time - state.dt / 2, mode);
-      energy = largest_of(energy, std::abs(state.measured.energy.error()));
+      raise_to(energy, std::abs(state.measured.energy.error()));
     });
     run.solver.run(run.state, 10.3 / f, observers);
 
@@ -237,10 +235,10 @@ namespace
           const Vector3 &X = model.bodies[0].node_positions()[state.partition->global_node[i]];
           mode += masses[i] * shape(X[0]) * state.node_velocity(i)[2];
           if (X[0] == 0)
-            held = largest_of(held, (state.node_position(i) - X).norm());
+            raise_to(held, (state.node_position(i) - X).norm());
         }
       zeros.add(state.time, mode);
-      energy = largest_of(energy, std::abs(state.measured.energy.error()));
+      raise_to(energy, std::abs(state.measured.energy.error()));
     });
     run.solver.run(run.state, 4.3 / euler, observers);
 

@@ -72,13 +72,12 @@ namespace
     unsigned int           n         = 0;
     Observers              observers = watch(7, [&](const State &state) {
       const double exact = turn(state.time);
-      of_node            = largest_of(
-        of_node,
-        std::abs(turned_angle(model.bodies[0], model.bodies[0].node_set("inner")[n % 36], state) -
+      raise_to(of_node,
+               std::abs(
+                 turned_angle(model.bodies[0], model.bodies[0].node_set("inner")[n % 36], state) -
                  exact));
-      of_angle  = largest_of(of_angle, std::abs(state.measured.driver_angle - exact));
-      of_factor = largest_of(of_factor,
-                             std::abs(state.measured.rate_factor - speed.factor.value(state.time)));
+      raise_to(of_angle, std::abs(state.measured.driver_angle - exact));
+      raise_to(of_factor, std::abs(state.measured.rate_factor - speed.factor.value(state.time)));
       ++n;
     });
     run.solver.run(run.state, end_time, observers);

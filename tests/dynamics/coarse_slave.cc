@@ -46,8 +46,8 @@ namespace
     OneSolver run(model, undamped());
     double    error = 0, force = 0;
     auto      observers = watch(1, [&](const State &state) {
-      error = largest_of(error, std::abs(state.measured.energy.error()));
-      force = largest_of(force, state.measured.contact_force);
+      raise_to(error, std::abs(state.measured.energy.error()));
+      raise_to(force, state.measured.contact_force);
     });
     run.solver.run(run.state, 20e-6, observers);
     // rho c v A of a one-dimensional wave, steel against steel through a thin floor: the size.

@@ -108,8 +108,8 @@ namespace
     const double       period    = 4. * length / bar.sound_speed();
     auto               observers = watch(1, [&](const State &state) {
       const double u = state.node_position(state.partition->local_node[tip])[0] - length;
-      longest        = largest_of(longest, u);
-      shortest       = std::min(shortest, u);
+      raise_to(longest, u);
+      shortest = std::min(shortest, u);
     });
     run.solver.run(run.state, .52 * period, observers);
     // A wave of relief runs in from the tip and back: the tip moves by twice the expansion.
@@ -147,7 +147,7 @@ namespace
           }
         // The other half of the pulse comes back from the free end to its start.
         if (x > .45 * length && x < .5 * length)
-          reflected = largest_of(reflected, std::abs(v));
+          raise_to(reflected, std::abs(v));
       }
     // Velocities: 2 Z1/(Z1 + Z2) of the impedances 3 and 1.
     check_close("wave into the softer half over the incoming one",

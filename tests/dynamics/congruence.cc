@@ -154,14 +154,14 @@ namespace
             {
               reference[local[i]] += f.col(i);
               masses[local[i]] += m[i];
-              size = largest_of(size, f.col(i).norm());
+              raise_to(size, f.col(i).norm());
             }
         }
     double error = 0, mass_error = 0;
     for (std::uint32_t i = 0; i < partition.n_local(); ++i)
       {
-        error      = largest_of(error, (forces.value(i) - reference[i]).norm());
-        mass_error = largest_of(mass_error, std::abs(vfife.masses()[i] / masses[i] - 1));
+        raise_to(error, (forces.value(i) - reference[i]).norm());
+        raise_to(mass_error, std::abs(vfife.masses()[i] / masses[i] - 1));
       }
     // Coordinates of 50 mm in cells of 1 mm strained by 1e-2 lose four digits of sixteen.
     check_below(name + ": forces over the largest", error / size, 1e-11);
@@ -197,10 +197,10 @@ namespace
     for (const unsigned int node : model.bodies[0].node_set("x+"))
       tip += run.state.node_position(run.state.partition->local_node[node]) / 4;
     for (const unsigned int node : model.bodies[0].node_set("x-"))
-      held = largest_of(held,
-                        (run.state.node_position(run.state.partition->local_node[node]) -
-                         model.bodies[0].placement(model.bodies[0].node_positions()[node]))
-                          .norm());
+      raise_to(held,
+               (run.state.node_position(run.state.partition->local_node[node]) -
+                model.bodies[0].placement(model.bodies[0].node_positions()[node]))
+                 .norm());
     const Vector3 way = model.bodies[0].placement.rotation.transpose() * (tip - end);
 
     // The lumped bar: X_j = h sin(j t)/(cos(n t) sin t) with 2 (1 - cos t) = (k h)^2.

@@ -75,8 +75,8 @@ namespace
       velocity = 0;
       for (std::uint32_t i = 0; i < state.partition->first_local_node[1]; ++i)
         velocity += masses[i] * state.node_velocity(i)[2] / mass;
-      loss     = state.measured.energy.contact_loss;
-      residual = largest_of(residual, std::abs(state.measured.energy.residual()) / energy);
+      loss = state.measured.energy.contact_loss;
+      raise_to(residual, std::abs(state.measured.energy.residual()) / energy);
     });
     // Until the spring, which the block leaves pressed, has opened.
     run.solver.run(run.state, 3 * duration + gap / speed, observers);

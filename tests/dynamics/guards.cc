@@ -139,7 +139,7 @@ namespace
     OneSolver run(model, undamped());
     double    error     = 0;
     auto      observers = watch(10, [&](const State &state) {
-      error = largest_of(error, std::abs(state.measured.energy.error()));
+      raise_to(error, std::abs(state.measured.energy.error()));
     });
     run.solver.run(run.state, 1e4 * run.state.dt, observers);
     // Round-off, some 1e-15 of the kinetic energy, over the floor, 1e-10 of it.

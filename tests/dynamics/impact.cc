@@ -65,11 +65,9 @@ namespace
           velocity[b] = p[0] / mass;
           total += p;
         }
-      momentum = largest_of(momentum, std::abs(total[0] / (mass * speed) - 1));
-      sideways = largest_of(sideways, total.tail<2>().norm() / (mass * speed));
-      energy =
-        largest_of(energy,
-                   std::abs(state.measured.energy.residual()) / (0.5 * mass * speed * speed));
+      raise_to(momentum, std::abs(total[0] / (mass * speed) - 1));
+      raise_to(sideways, total.tail<2>().norm() / (mass * speed));
+      raise_to(energy, std::abs(state.measured.energy.residual()) / (0.5 * mass * speed * speed));
       const double force = state.measured.contact_force;
       // What observers get of the forces is contact alone: equal and opposite, at the faces.
       for (unsigned int b = 0; b < 2; ++b)
@@ -83,11 +81,11 @@ namespace
               if (!std::binary_search(face.begin(),
                                       face.end(),
                                       state.partition->global_node[i] - model.bodies[b].first_node))
-                elsewhere = largest_of(elsewhere, f.norm());
+                raise_to(elsewhere, f.norm());
             }
-          at_faces = largest_of(at_faces, std::abs(sum));
+          raise_to(at_faces, std::abs(sum));
         }
-      largest_force = largest_of(largest_force, force);
+      raise_to(largest_force, force);
       if (first_touch < 0)
         (force > 0 ? scale_at_touch : scale_in_flight) = state.measured.energy.scale;
       if (force > 0)

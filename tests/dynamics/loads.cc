@@ -128,8 +128,7 @@ namespace
       {
         const std::uint32_t local   = moved.partition().local_node[load.nodes[k]];
         const Vector3       tangent = axis.direction.cross(moved.place(local) - axis.point) / inner;
-        deviation =
-          largest_of(deviation, (moved.force(local) - load.areas[k] * traction * tangent).norm());
+        raise_to(deviation, (moved.force(local) - load.areas[k] * traction * tangent).norm());
       }
     check_below("torque: constant traction along the circle [N]", deviation, 1e-12);
     for (std::size_t i = 0; i < moved.n(); ++i)

@@ -52,10 +52,7 @@ namespace
     double error = 0.;
     for (const ProbeValue *value : {&turned, &fixed})
       for (unsigned int c = 0; c < 6; ++c)
-        error = largest_of(error,
-                           std::abs(value->stress[c] - (c < 2    ? plane
-                                                        : c == 2 ? axial
-                                                                 : 0.)));
+        raise_to(error, std::abs(value->stress[c] - (c < 2 ? plane : c == 2 ? axial : 0.)));
     // Squares of the strain are left out.
     check_below("stresses over the larger one, less those of Hooke's law", error / plane, 1e-4);
     check_ratio("von Mises stress over 2 mu times the strain",

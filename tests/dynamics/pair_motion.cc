@@ -98,17 +98,15 @@ namespace
       const Measurements &m         = state.measured;
       const double        kinematic = driver_rate * state.time;
       for (const unsigned int node : driver.node_set("inner"))
-        driver_wrong =
-          largest_of(driver_wrong, std::abs(sense * turned_angle(driver, node, state) - kinematic));
-      driver_wrong = largest_of(driver_wrong, std::abs(m.driver_angle - driver_start - kinematic));
+        raise_to(driver_wrong, std::abs(sense * turned_angle(driver, node, state) - kinematic));
+      raise_to(driver_wrong, std::abs(m.driver_angle - driver_start - kinematic));
       const double of_hub = -sense * mean_angle(driven, "inner", state),
                    of_rim = -sense * mean_angle(driven, "outer", state), ratio = 3. / 7.;
-      hub_wrong         = largest_of(hub_wrong, std::abs(m.driven_angle - driven_start - of_hub));
-      rim_wrong         = largest_of(rim_wrong, std::abs(m.rim_angle - driven_start - of_rim));
+      raise_to(hub_wrong, std::abs(m.driven_angle - driven_start - of_hub));
+      raise_to(rim_wrong, std::abs(m.rim_angle - driven_start - of_rim));
       const double both = driven_start - ratio * driver_start - ratio * kinematic;
-      error_wrong       = largest_of(error_wrong, std::abs(m.transmission_error - both - of_hub));
-      rim_error_wrong =
-        largest_of(rim_error_wrong, std::abs(m.rim_transmission_error - both - of_rim));
+      raise_to(error_wrong, std::abs(m.transmission_error - both - of_hub));
+      raise_to(rim_error_wrong, std::abs(m.rim_transmission_error - both - of_rim));
     });
     run.solver.run(run.state, mesh, observers);
     // Of coordinates of 60 mm, at radii of 20 mm and more.

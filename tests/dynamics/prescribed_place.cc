@@ -68,12 +68,12 @@ namespace
         const Vector3 x =
           place_prescribed(axis, start, old, free, hold(false), {{start_radius * angle, 0., 0.}});
         const double radius = (x - axis.point - 5.02 * axis.direction).norm();
-        off_ray             = largest_of(off_ray, (x - place(radius, angle, 5.02)).norm());
+        raise_to(off_ray, (x - place(radius, angle, 5.02)).norm());
         // At most what the last 0.1 rad add, 1/cos(0.1) - 1.
         off_radius = largest_of(off_radius, std::abs(radius / (start_radius + .01) - 1.));
         const Vector3 led =
           place_prescribed(axis, start, old, free, hold(true), {{.5, start_radius * angle, 0.}});
-        off_place = largest_of(off_place, (led - place(start_radius + .5, angle, 5.02)).norm());
+        raise_to(off_place, (led - place(start_radius + .5, angle, 5.02)).norm());
       }
     check_below("the node is on the ray [mm]", off_ray, 1e-12);
     check_below("it keeps its radius", off_radius, 5.1e-3);

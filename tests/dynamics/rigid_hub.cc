@@ -95,7 +95,7 @@ namespace
     auto         observers = watch(10, [&](const State &state) {
       // Velocities are half a step back; the first half step adds half of an impulse.
       const double expected = rate + torque * state.time / inertia;
-      wrong = largest_of(wrong, std::abs(state.measured.body_rates[0] - expected) / rate);
+      raise_to(wrong, std::abs(state.measured.body_rates[0] - expected) / rate);
     });
     run.solver.run(run.state, steps * run.state.dt, observers);
 
@@ -112,9 +112,9 @@ namespace
           }
         const double angle =
           std::atan2(start[0] * now[1] - start[1] * now[0], start[0] * now[0] + start[1] * now[1]);
-        least  = std::min(least, angle);
-        most   = largest_of(most, angle);
-        radius = largest_of(radius, std::abs(now.head<2>().norm() / start.head<2>().norm() - 1));
+        least = std::min(least, angle);
+        raise_to(most, angle);
+        raise_to(radius, std::abs(now.head<2>().norm() / start.head<2>().norm() - 1));
       }
     // The rate belongs to the middle of a step: half of its gain, and the sums' round-off.
     check_below("rate follows the torque", wrong, 1e-10 + torque * run.state.dt / inertia / rate);

@@ -139,7 +139,7 @@ namespace
         return;
       const Vector3 force = example.axes().transpose() * state.measured.contact_forces.at(0);
       result.force += force;
-      result.error = largest_of(result.error, std::abs(state.measured.energy.error()));
+      raise_to(result.error, std::abs(state.measured.energy.error()));
       ++result.steps;
       result.open += force[2] > 0 ? 0 : 1;
       result.way = mean_way(example, model, state);

@@ -56,7 +56,7 @@ namespace
     const auto &masses    = run.solver.vfife_operator().masses();
     auto        observers = watch(1, [&](const State &state) {
       const double force = state.measured.contact_force;
-      largest            = largest_of(largest, force);
+      raise_to(largest, force);
       impulse += force * state.dt;
       if (force > 0)
         {
@@ -67,12 +67,10 @@ namespace
       for (std::uint32_t i = 0; i < state.partition->first_local_node[1]; ++i)
         p += masses[i] * state.node_velocity(i)[2];
       velocity = p / mass;
-      energy =
-        largest_of(energy,
-                   std::abs(state.measured.energy.residual()) / (0.5 * mass * speed * speed));
+      raise_to(energy, std::abs(state.measured.energy.residual()) / (0.5 * mass * speed * speed));
       // Before the touch it is round-off of the flight over next to nothing.
       if (first >= 0)
-        error = largest_of(error, std::abs(state.measured.energy.error()));
+        raise_to(error, std::abs(state.measured.energy.error()));
     });
     run.solver.run(run.state, 1.3 * duration + gap / speed, observers);
 
@@ -158,8 +156,8 @@ namespace
         check("two spheres, steps", expected.size() == mixed[i].size());
         for (std::size_t k = 0; k < std::min(expected.size(), mixed[i].size()); ++k)
           {
-            worst = largest_of(worst, std::abs(expected[k] - mixed[i][k]));
-            most  = largest_of(most, expected[k]);
+            raise_to(worst, std::abs(expected[k] - mixed[i][k]));
+            raise_to(most, expected[k]);
           }
         check("two spheres, " + name + ": touches", most > 100);
         // Places are 50 mm farther from the origin, round-off of 1e-14 mm times the penalty.
@@ -273,13 +271,13 @@ namespace
     double       largest = 0, first = -1, last = -1, residual = 0;
     auto         observers = watch(1, [&](const State &state) {
       const double force = state.measured.contact_force;
-      largest            = largest_of(largest, 4. * force);
+      raise_to(largest, 4. * force);
       if (force > 0)
         {
           first = first < 0 ? state.time : first;
           last  = state.time;
         }
-      residual = largest_of(residual, std::abs(state.measured.energy.residual()));
+      raise_to(residual, std::abs(state.measured.energy.residual()));
     });
     run.solver.run(run.state, 1.1 * duration, observers);
     check_ratio("crowded spheres, force peak over Hertz's", largest / peak, .03);

@@ -44,7 +44,7 @@ namespace
         const Vector3       x      = run.state.node_position(local);
         const Vector3       own    = flight + ring.initial_velocity[i];
         const Vector3       before = ring.axis.point + back * (x - ring.axis.point) - dt * own;
-        wrong = largest_of(wrong, (x - dt * run.state.node_velocity(local) - before).norm());
+        raise_to(wrong, (x - dt * run.state.node_velocity(local) - before).norm());
       }
     // Of coordinates of 30 mm; half a step would be omega^2 r dt^2/2.
     check_below("place a step before the start [mm]", wrong, 1e-14);
@@ -72,10 +72,9 @@ namespace
     const double growth    = rho * rate * rate * std::pow(middle, 3) / E;
     const double breathing = std::sqrt(E / rho) / middle, start = radius(run.state);
     check_ratio("growth of the inner radius over that of a thin ring", (start - 20) / growth, 0.15);
-    double swing     = 0;
-    auto   observers = watch(1, [&](const State &state) {
-      swing = largest_of(swing, std::abs(radius(state) - start));
-    });
+    double swing = 0;
+    auto   observers =
+      watch(1, [&](const State &state) { raise_to(swing, std::abs(radius(state) - start)); });
     run.solver.run(run.state, 3 * 2 * pi / breathing, observers);
     // Velocities of omega x r would be those of the middle of no step: omega^2 r dt/2 outwards, a
     // breathing of omega_b dt/2 of the growth.

@@ -140,8 +140,8 @@ namespace
           double square = 0;
           for (unsigned int i = 0; i < cube.n_nodes(); ++i)
             square += state.node_velocity(i).squaredNorm();
-          start   = state.step == 0 ? std::sqrt(square) : start;
-          largest = largest_of(largest, std::sqrt(square));
+          start = state.step == 0 ? std::sqrt(square) : start;
+          raise_to(largest, std::sqrt(square));
         });
         const bool given_up  = refuses<NumericalError>(
           [&] { run.solver.run(run.state, 400 * factor * step, observers); });

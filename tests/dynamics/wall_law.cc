@@ -36,15 +36,15 @@ int main(int argc, char **argv)
         const double depth = wall.point[0] - state.node_position(i)[0];
         if (depth > 0)
           points.push_back({depth, penalty * width * width / 4});
-        deepest = largest_of(deepest, depth);
+        raise_to(deepest, depth);
       }
     law.evaluate(points);
     double force = 0;
     for (const PressedPoint &point : points)
       force += point.pressure;
-    force_error   = largest_of(force_error, std::abs(state.measured.contact_force - force));
-    largest_force = largest_of(largest_force, force);
-    residual      = largest_of(residual, std::abs(state.measured.energy.residual()));
+    raise_to(force_error, std::abs(state.measured.contact_force - force));
+    raise_to(largest_force, force);
+    raise_to(residual, std::abs(state.measured.energy.residual()));
   });
   run.solver.run(run.state, 1.5e-4, observers);
 

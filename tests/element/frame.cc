@@ -81,7 +81,7 @@ namespace
             }
           const double derivative =
             (energy[0] - 8. * energy[1] + 8. * energy[2] - energy[3]) / (12. * h);
-          defect = largest_of(defect, std::abs(derivative + f(i, a)));
+          raise_to(defect, std::abs(derivative + f(i, a)));
         }
     return defect / f.cwiseAbs().maxCoeff();
   }
@@ -101,8 +101,7 @@ namespace
 
         const Matrix3         Q     = samples.rotation();
         const HexahedronNodes moved = (Q * X).colwise() + 10. * samples.vector();
-        rotation_error =
-          largest_of(rotation_error, (compute_frame(frame, X, moved) - Q).cwiseAbs().maxCoeff());
+        raise_to(rotation_error, (compute_frame(frame, X, moved) - Q).cwiseAbs().maxCoeff());
         rigid =
           largest_of({rigid,
                       element.forces(moved).cwiseAbs().maxCoeff() / scale,
@@ -113,15 +112,13 @@ namespace
             const HexahedronNodes x =
               (Q * (X + samples.displacement(0.5 * strain))).colwise() - Q * X.col(0);
             const HexahedronNodes f = element.forces(x);
-            force_sum =
-              largest_of(force_sum,
-                         f.rowwise().sum().cwiseAbs().maxCoeff() / f.cwiseAbs().maxCoeff());
+            raise_to(force_sum, f.rowwise().sum().cwiseAbs().maxCoeff() / f.cwiseAbs().maxCoeff());
             const Matrix3 turn = samples.rotation();
-            objectivity        = largest_of(objectivity,
-                                     (element.forces(turn * x) - turn * f).cwiseAbs().maxCoeff() /
-                                       f.cwiseAbs().maxCoeff());
-            moment[order]      = largest_of(moment[order], moment_defect(x, f));
-            derivative[order]  = largest_of(derivative[order], derivative_defect(element, x));
+            raise_to(objectivity,
+                     (element.forces(turn * x) - turn * f).cwiseAbs().maxCoeff() /
+                       f.cwiseAbs().maxCoeff());
+            raise_to(moment[order], moment_defect(x, f));
+            raise_to(derivative[order], derivative_defect(element, x));
             ++order;
           }
       }
@@ -179,14 +176,13 @@ namespace
             const auto      row   = static_cast<unsigned int>(frame);
             by_frame[row]         = f;
             for (unsigned int a = 0; a < 8; ++a)
-              difference[row] =
-                largest_of(difference[row],
-                           (other.col(a) - f.col(renumbered[a])).cwiseAbs().maxCoeff() /
-                             f.cwiseAbs().maxCoeff());
+              raise_to(difference[row],
+                       (other.col(a) - f.col(renumbered[a])).cwiseAbs().maxCoeff() /
+                         f.cwiseAbs().maxCoeff());
           }
-        between_frames = largest_of(between_frames,
-                                    (by_frame[0] - by_frame[1]).cwiseAbs().maxCoeff() /
-                                      by_frame[0].cwiseAbs().maxCoeff());
+        raise_to(between_frames,
+                 (by_frame[0] - by_frame[1]).cwiseAbs().maxCoeff() /
+                   by_frame[0].cwiseAbs().maxCoeff());
       }
     if (verbose)
       std::cout << "numbering " << difference[0] << ' ' << difference[1] << " between frames "
@@ -217,7 +213,7 @@ namespace
               samples.rotation() * (X + stretch * X + samples.displacement(0.1 * strain));
             const Matrix24        K        = compute_stiffness(X, Material(), kind);
             const HexahedronNodes expected = compute_internal_forces(K, X, x, FrameKind::polar);
-            error                          = largest_of(
+            raise_to(
               error,
               (KernelElement(X, FrameKind::polar).forces(x) - expected).cwiseAbs().maxCoeff() /
                 expected.cwiseAbs().maxCoeff());

@@ -22,8 +22,7 @@ int main()
               1e-14);
   double interpolation = 0.;
   for (unsigned int a = 0; a < 8; ++a)
-    interpolation =
-      largest_of(interpolation, (X * shape_functions(reference_corner(a)) - X.col(a)).norm());
+    raise_to(interpolation, (X * shape_functions(reference_corner(a)) - X.col(a)).norm());
   check_below("shape functions interpolate the nodes", interpolation, 1e-13);
   const double    h = 1e-5;
   HexahedronNodes difference;

@@ -60,7 +60,7 @@ namespace
           }
         x[e] = (samples.rotation() * (X[e] + samples.displacement(0.5 * strain))).colwise() +
                samples.vector();
-        largest_coordinate = largest_of(largest_coordinate, x[e].cwiseAbs().maxCoeff());
+        raise_to(largest_coordinate, x[e].cwiseAbs().maxCoeff());
         for (unsigned int a = 0; a < 8; ++a)
           {
             packs.set_node(pack, lane, a, 8 * e + a);
@@ -98,21 +98,18 @@ namespace
         const HexahedronNodes expected = compute_internal_forces(K[e], X[e], x[e], frame);
         const double          scale    = K[e].cwiseAbs().maxCoeff() * largest_coordinate;
         for (unsigned int a = 0; a < 8; ++a)
-          differences.force =
-            largest_of(differences.force,
-                       (SamplePacks::at(forces, 8 * e + a) - Vector3::Ones() - expected.col(a))
-                           .cwiseAbs()
-                           .maxCoeff() /
-                         scale);
+          raise_to(differences.force,
+                   (SamplePacks::at(forces, 8 * e + a) - Vector3::Ones() - expected.col(a))
+                       .cwiseAbs()
+                       .maxCoeff() /
+                     scale);
         double least = std::numeric_limits<double>::infinity();
         for (unsigned int a = 0; a < 8; ++a)
           least = std::min(least, compute_jacobian(x[e], reference_corner(a)).determinant());
-        differences.jacobian =
-          largest_of(differences.jacobian, std::abs(jacobians[e] / least - 1.));
-        differences.energy =
-          largest_of(differences.energy,
-                     std::abs(energies[e] - compute_strain_energy(K[e], X[e], x[e], frame)) /
-                       (scale * strain));
+        raise_to(differences.jacobian, std::abs(jacobians[e] / least - 1.));
+        raise_to(differences.energy,
+                 std::abs(energies[e] - compute_strain_energy(K[e], X[e], x[e], frame)) /
+                   (scale * strain));
       }
     return differences;
   }
@@ -144,8 +141,7 @@ namespace
     const HexahedronNodes f          = compute_internal_forces(K, X, x, FrameKind::polar);
     double                difference = 0.;
     for (unsigned int a = 0; a < 8; ++a)
-      difference =
-        largest_of(difference, (SamplePacks::at(forces, a) - 8. * f.col(a)).cwiseAbs().maxCoeff());
+      raise_to(difference, (SamplePacks::at(forces, a) - 8. * f.col(a)).cwiseAbs().maxCoeff());
     return difference / f.cwiseAbs().maxCoeff();
   }
 
@@ -168,10 +164,10 @@ namespace
         for (const bool shared : {false, true})
           {
             const Differences d = compare(set, frame, shared, 1e-3);
-            worst.force         = largest_of(worst.force, d.force);
-            worst.energy        = largest_of(worst.energy, d.energy);
-            worst.jacobian      = largest_of(worst.jacobian, d.jacobian);
-            large_strain        = largest_of(large_strain, compare(set, frame, shared, 2e-2).force);
+            raise_to(worst.force, d.force);
+            raise_to(worst.energy, d.energy);
+            raise_to(worst.jacobian, d.jacobian);
+            raise_to(large_strain, compare(set, frame, shared, 2e-2).force);
           }
         const double      repeated = shared_nodes(set);
         const std::string name = std::string(name_of(set)) + ", " + word_of(frame, frame_choices());

@@ -53,20 +53,17 @@ namespace
         sigma << stress[0], stress[3], stress[5], stress[3], stress[1], stress[4], stress[5],
           stress[4], stress[2];
         const HexahedronNodes expected = compute_volume(X) * sigma * compute_mean_gradients(X);
-        patch =
-          largest_of(patch, largest(K * flat(u) - flat(expected)) / (largest(K) * largest(u)));
+        raise_to(patch, largest(K * flat(u) - flat(expected)) / (largest(K) * largest(u)));
         const auto recovered = compute_nodal_stresses(X, X + u, material, kind, FrameKind::polar);
-        stress_error =
-          largest_of(stress_error, largest(recovered.colwise() - stress) / largest(stress));
+        raise_to(stress_error, largest(recovered.colwise() - stress) / largest(stress));
 
-        identity =
-          largest_of(identity,
-                     largest(K - expand(compute_reduced_stiffness(X, material, kind), material)) /
-                       largest(K));
-        symmetry = largest_of(symmetry, largest(K - K.transpose()) / largest(K));
+        raise_to(identity,
+                 largest(K - expand(compute_reduced_stiffness(X, material, kind), material)) /
+                   largest(K));
+        raise_to(symmetry, largest(K - K.transpose()) / largest(K));
         const Eigen::SelfAdjointEigenSolver<Matrix24> solver(K, Eigen::EigenvaluesOnly);
         const auto                                   &eigenvalues = solver.eigenvalues();
-        largest_zero   = largest_of(largest_zero, largest(eigenvalues.head<6>()) / eigenvalues[23]);
+        raise_to(largest_zero, largest(eigenvalues.head<6>()) / eigenvalues[23]);
         least_positive = std::min(least_positive, eigenvalues[6] / eigenvalues[23]);
       }
     // Round-off of coordinates of 60 mm beside sides of 1 mm.
@@ -127,7 +124,7 @@ namespace
       {
         Stress exact = Stress::Zero();
         exact[0]     = -E * kappa * X(1, a);
-        error        = largest_of(error, largest(stresses.col(a) - exact));
+        raise_to(error, largest(stresses.col(a) - exact));
       }
     // Turning the frame and squares of strains leave the order of kappa L / 2 = 1e-5.
     check_below("incompatible modes: bending stress at the nodes",
@@ -210,7 +207,7 @@ int main()
   for (unsigned int c = 0; c < 6; ++c)
     {
       const unsigned int i = c % 3, j = c < 3 ? i : (i + 1) % 3;
-      error = largest_of(error, std::abs(turned[c] - axes.col(i).dot(tensor * axes.col(j))));
+      raise_to(error, std::abs(turned[c] - axes.col(i).dot(tensor * axes.col(j))));
     }
   check_below("a turned stress, component by component", error, 1e-13);
 

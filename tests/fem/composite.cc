@@ -37,7 +37,7 @@ namespace
           {
             Stress expected = Stress::Zero();
             expected[0]     = stress;
-            wrong           = largest_of(wrong, (s - expected).norm() / -stress);
+            raise_to(wrong, (s - expected).norm() / -stress);
           }
         check_below("heated bar, " + choice.first + ": stress less -E strain, over it",
                     wrong,

@@ -145,9 +145,9 @@ namespace
             const ElementNodes    u = gradient * X, turn = spin * X;
             const Eigen::VectorXd v = Eigen::Map<const Eigen::VectorXd>(u.data(), u.size());
             const auto stresses     = compute_point_stresses(X, space.material(e), element, v);
-            deviation               = largest_of(deviation,
-                                   (stresses.colwise() - stresses.col(0)).cwiseAbs().maxCoeff() /
-                                     stresses.norm());
+            raise_to(deviation,
+                     (stresses.colwise() - stresses.col(0)).cwiseAbs().maxCoeff() /
+                       stresses.norm());
             const Eigen::MatrixXd K = compute_fem_stiffness(X, space.material(e), element);
             const Eigen::Map<const Eigen::VectorXd> w(turn.data(), turn.size());
             // Round-off is that of the products that cancel.
@@ -176,7 +176,7 @@ namespace
     check("modes of a sector", some.modes.size() >= all.modes.size());
     double worst = 0;
     for (std::size_t i = 1; i < all.modes.size() && i < some.modes.size(); ++i)
-      worst = largest_of(worst, std::abs(all.modes[i].frequency / some.modes[i].frequency - 1.));
+      raise_to(worst, std::abs(all.modes[i].frequency / some.modes[i].frequency - 1.));
     check_below("modes of the curved sector and body", worst, 1e-9);
   }
 

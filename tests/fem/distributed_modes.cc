@@ -48,12 +48,11 @@ namespace
             check(name + ": a rigid motion", one.frequency == 0);
             continue;
           }
-        frequency = largest_of(frequency, std::abs(one.frequency / two.frequency - 1.));
-        axial     = largest_of(axial, std::abs(one.description.axial - two.description.axial));
+        raise_to(frequency, std::abs(one.frequency / two.frequency - 1.));
+        raise_to(axial, std::abs(one.description.axial - two.description.axial));
         for (unsigned int r = 0; r < 3; ++r)
           {
-            effective =
-              largest_of(effective, std::abs(one.effective_mass[r] - two.effective_mass[r]));
+            raise_to(effective, std::abs(one.effective_mass[r] - two.effective_mass[r]));
             whole = std::max(whole, two.effective_mass[r]);
           }
       }

@@ -148,7 +148,7 @@ namespace
     const double back  = -body.materials().front().poissons_ratio * strain;
     double       worst = 0;
     solver.for_points([&](const Vector3 &x, const Vector3 &u) {
-      worst = largest_of(worst, (u - x.cwiseProduct(Vector3(strain, back, back))).norm());
+      raise_to(worst, (u - x.cwiseProduct(Vector3(strain, back, back))).norm());
     });
     check_below("stretched block, " + word_of(element, fem_element_choices()),
                 ranks.world.max(worst) / strain,

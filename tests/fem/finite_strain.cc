@@ -53,22 +53,19 @@ namespace
                 down.data()[c] -= step;
                 const StrainState above = compute_strain_state(up, steel, measure),
                                   below = compute_strain_state(down, steel, measure);
-                stress_error            = largest_of(stress_error,
-                                          std::abs((above.energy - below.energy) / (2. * step) -
-                                                   state.stress.data()[c]));
-                const Matrix3 change    = (above.stress - below.stress) / (2. * step);
+                raise_to(stress_error,
+                         std::abs((above.energy - below.energy) / (2. * step) -
+                                  state.stress.data()[c]));
+                const Matrix3 change = (above.stress - below.stress) / (2. * step);
                 for (unsigned int r = 0; r < 9; ++r)
-                  tangent_error =
-                    largest_of(tangent_error, std::abs(change.data()[r] - state.tangent(r, c)));
+                  raise_to(tangent_error, std::abs(change.data()[r] - state.tangent(r, c)));
               }
-            symmetry =
-              largest_of(symmetry,
-                         (state.tangent - state.tangent.transpose()).cwiseAbs().maxCoeff());
+            raise_to(symmetry, (state.tangent - state.tangent.transpose()).cwiseAbs().maxCoeff());
             const Matrix3 R        = samples.rotation();
             const Matrix3 F_turned = R * (Matrix3::Identity() + H);
-            energy_error           = largest_of(
-              energy_error,
-              std::abs(compute_strain_state(F_turned - Matrix3::Identity(), steel, measure).energy /
+            raise_to(energy_error,
+                     std::abs(
+                       compute_strain_state(F_turned - Matrix3::Identity(), steel, measure).energy /
                          state.energy -
                        1.));
           }
@@ -160,14 +157,12 @@ namespace
               up[i] += step;
               down[i] -= step;
               const ElementState above = state(up), below = state(down);
-              force_error =
-                largest_of(force_error,
-                           std::abs((above.energy - below.energy) / (2. * step) - at.forces[i]));
-              tangent_error =
-                largest_of(tangent_error,
-                           ((above.forces - below.forces) / (2. * step) - at.tangent.col(i))
-                             .cwiseAbs()
-                             .maxCoeff());
+              raise_to(force_error,
+                       std::abs((above.energy - below.energy) / (2. * step) - at.forces[i]));
+              raise_to(tangent_error,
+                       ((above.forces - below.forces) / (2. * step) - at.tangent.col(i))
+                         .cwiseAbs()
+                         .maxCoeff());
             }
           check_below(name + ": forces", force_error / size, 1e-8);
           check_below(name + ": tangent", tangent_error / size, 1e-8);
@@ -273,7 +268,7 @@ namespace
       {
         const double rise     = spun.modes[k].frequency - at_rest.modes[k].frequency;
         const double expected = reference.modes[k].frequency() - at_rest.modes[k].frequency;
-        error                 = largest_of(error, std::abs(rise / expected - 1.));
+        raise_to(error, std::abs(rise / expected - 1.));
       }
     check_below("wheel: rises of the frequencies", error, .025);
   }

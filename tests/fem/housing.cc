@@ -250,8 +250,8 @@ namespace
       if (model.bearings[s].body < bodies.size())
         {
           const Vector3 force = model.bearings[s].axes * dense.load_of(s, x).head<3>();
-          apart               = largest_of(apart, (reactions[first + s].force - force).norm());
-          largest             = std::max(largest, force.norm());
+          raise_to(apart, (reactions[first + s].force - force).norm());
+          largest = std::max(largest, force.norm());
         }
     // A shaft that nothing loads is held by none.
     check_below(name + ": forces of the bearings", apart / largest, 1e-8);
@@ -270,7 +270,7 @@ namespace
     const std::vector<double> kept     = {expected[0], expected[5]};
     double                    apart    = 0;
     for (unsigned int k = 0; k < 6; ++k)
-      apart = largest_of(apart, std::abs(found.modes[k].frequency / expected[k] - 1));
+      raise_to(apart, std::abs(found.modes[k].frequency / expected[k] - 1));
     check_below("two bearings: six lowest modes", apart, 1e-7);
     model.housing.resize(0, 0);
     const ModesAtSpeed rigid = RotatingBody(model, 0, fem, world).find_modes(0.);
@@ -306,8 +306,7 @@ namespace
     const auto of_sectors = RotatingBody(model, 0, fem, world).find_modes(0.);
     double     apart      = 0;
     for (unsigned int k = 0; k < 10; ++k)
-      apart =
-        largest_of(apart, std::abs(of_sectors.modes[k].frequency / whole.modes[k].frequency - 1));
+      raise_to(apart, std::abs(of_sectors.modes[k].frequency / whole.modes[k].frequency - 1));
     check_below("one sector: frequencies", apart, 1e-8);
   }
 
@@ -354,8 +353,8 @@ namespace
     const Eigen::VectorXd load   = system.linearized().load;
     double                apart  = 0;
     for (std::size_t s = 0; s < 3; ++s)
-      apart = largest_of(
-        apart, (load.segment<3>(6 * s) - model.bearings[s].axes * exact.loads[s].head<3>()).norm());
+      raise_to(apart,
+               (load.segment<3>(6 * s) - model.bearings[s].axes * exact.loads[s].head<3>()).norm());
     check_below("loads of undisplaced shafts [N]", apart, 1e-8);
   }
 } // namespace

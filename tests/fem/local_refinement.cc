@@ -68,7 +68,7 @@ namespace
             const Eigen::MatrixXd K =
               compute_fem_stiffness(space.element_nodes(e), space.material(e), options.element);
             const Eigen::VectorXd v = space.gather(e, u), f = K * v;
-            scale = largest_of(scale, (K.cwiseAbs() * v.cwiseAbs()).maxCoeff());
+            raise_to(scale, (K.cwiseAbs() * v.cwiseAbs()).maxCoeff());
             for (Eigen::Index i = 0; i < f.size(); ++i)
               forces[3 * std::size_t(space.element_points(e)[i / 3]) + i % 3] += f[i];
           }
@@ -76,8 +76,7 @@ namespace
         double worst = 0;
         for (unsigned int p = 0; p < space.n_points(); ++p)
           if (&field == &spin || boundary.count(p) == 0)
-            worst = largest_of(worst,
-                               Vector3(forces[3 * p], forces[3 * p + 1], forces[3 * p + 2]).norm());
+            raise_to(worst, Vector3(forces[3 * p], forces[3 * p + 1], forces[3 * p + 2]).norm());
         check_below(name + ": forces, over the products that cancel", worst / scale, 1e-14);
         // What is assembled is the same.
         const OwnedVector         own = system.vector([&](const unsigned int e) -> Eigen::VectorXd {
@@ -89,7 +88,7 @@ namespace
         for (unsigned int p = 0; p < space.n_points(); ++p)
           if (space.hanging().count(p) == 0)
             for (unsigned int c = 0; c < 3; ++c)
-              apart = largest_of(apart, std::abs(expanded[3 * p + c] - forces[3 * p + c]));
+              raise_to(apart, std::abs(expanded[3 * p + c] - forces[3 * p + c]));
         check_below(name + ": assembled", apart / scale, 1e-14);
       }
   }
@@ -138,10 +137,10 @@ namespace
     const double              back  = -model.bodies[0].materials().front().poissons_ratio * strain;
     double                    worst = 0;
     for (unsigned int p = 0; p < solver.space().n_points(); ++p)
-      worst = largest_of(worst,
-                         (Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(p)) -
-                          solver.space().points()[p].cwiseProduct(Vector3(strain, back, back)))
-                           .norm());
+      raise_to(worst,
+               (Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(p)) -
+                solver.space().points()[p].cwiseProduct(Vector3(strain, back, back)))
+                 .norm());
     check_below("stretched block, " + word_of(element, fem_element_choices()),
                 worst / strain,
                 1e-12);
@@ -172,12 +171,12 @@ namespace
         double nearest = 1e9;
         for (const double frequency : sector)
           nearest = std::min(nearest, std::abs(frequency / whole[i] - 1.));
-        worst = largest_of(worst, nearest);
+        raise_to(worst, nearest);
       }
     check_below("pinion with divided fillets: sector and body", worst, 1e-9);
     double lower = 0;
     for (std::size_t i = 1; i < sector.size(); ++i)
-      lower = largest_of(lower, sector[i] / coarse[i] - 1.);
+      raise_to(lower, sector[i] / coarse[i] - 1.);
     check("pinion with divided fillets: no frequency rises", lower < 1e-3);
   }
 

@@ -85,13 +85,13 @@ namespace
                 for (unsigned int k = 0; k < 4; ++k)
                   {
                     places[k] = place_on_facet(x, space.points()[part[k]]);
-                    worst = largest_of(worst, find_error(space, part[k], parts.mean_of(part[k])));
+                    raise_to(worst, find_error(space, part[k], parts.mean_of(part[k])));
                   }
                 const Vector2 a = places[2] - places[0], b = places[3] - places[1];
                 area += .5 * std::abs(a[0] * b[1] - a[1] * b[0]);
               }
-            worst = largest_of(worst, std::abs(area - 1.));
-            most  = largest_of(most, double(of_facet.size()));
+            raise_to(worst, std::abs(area - 1.));
+            raise_to(most, double(of_facet.size()));
           }
       }
     check_below(name + ": parts of facets", worst, 1e-12);
@@ -109,8 +109,8 @@ namespace
         for (const unsigned int node : model.bodies[body].node_set(surface))
           {
             const unsigned int point = space.find_part(body)->first_point + node;
-            worst = largest_of(worst, find_error(space, point, averages.of(point)));
-            most  = largest_of(most, double(averages.of(point).size()));
+            raise_to(worst, find_error(space, point, averages.of(point)));
+            raise_to(most, double(averages.of(point).size()));
           }
     check_below(name + ": linear fields", worst, 1e-13);
     check(name + ": points by which nodes move",
@@ -140,10 +140,10 @@ namespace
                  across              = -body.materials().front().poissons_ratio * strain;
     double worst                     = 0;
     for (unsigned int p = 0; p < space.parts()[0].n_points; ++p)
-      worst = largest_of(worst,
-                         (Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(p)) -
-                          space.points()[p].cwiseProduct(Vector3(across, across, strain)))
-                           .norm());
+      raise_to(worst,
+               (Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(p)) -
+                space.points()[p].cwiseProduct(Vector3(across, across, strain)))
+                 .norm());
     check_below(name + ": even pressure", worst / -strain, 1e-12);
 
     // The flexibility of nodes and corners is symmetric, and forces act as their sum and moment.

@@ -190,8 +190,8 @@ namespace
       {
         const Eigen::Map<const Vector3> u(motions.front().data() + 3 * p);
         const Vector3 way = ring.axis.direction.cross(points.points()[p] - ring.axis.point);
-        off               = largest_of(off, u.cross(way).norm() / way.squaredNorm());
-        largest           = largest_of(largest, u.norm() / way.norm());
+        raise_to(off, u.cross(way).norm() / way.squaredNorm());
+        raise_to(largest, u.norm() / way.norm());
       }
     check_below("it is the turn about the axis", off / largest, 1e-6);
   }

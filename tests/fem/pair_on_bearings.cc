@@ -209,7 +209,7 @@ namespace
     const std::vector<double> frequencies = hand.frequencies();
     double                    apart       = 0;
     for (unsigned int k = 0; k < 6; ++k)
-      apart = largest_of(apart, std::abs(modes.turning[k].frequency / frequencies[k] - 1));
+      raise_to(apart, std::abs(modes.turning[k].frequency / frequencies[k] - 1));
     check_below("six lowest coupled modes", apart, 1e-2);
     check("modes are counted", modes.counted);
     check_ratio("tangent stiffness of the modes",
@@ -264,8 +264,8 @@ namespace
         double      worst = 0, joint = 0;
         for (unsigned int k = 0; k < 6; ++k)
           {
-            worst = largest_of(worst, std::abs(list[k].frequency / expected[k] - 1));
-            joint = largest_of(joint, std::abs(without[k] / expected[k] - 1));
+            raise_to(worst, std::abs(list[k].frequency / expected[k] - 1));
+            raise_to(joint, std::abs(without[k] / expected[k] - 1));
           }
         check_below("housing: six lowest coupled modes", worst, 1e-2);
         check("housing: it joins both bodies", joint > 3e-2);

@@ -28,10 +28,9 @@ int main(int argc, char **argv)
   for (std::size_t b = 0; b < 4; ++b)
     {
       const SeatState &here = together.bearings[b], &there = single.bearings[b];
-      load = largest_of(load, (here.load - there.load).norm() / there.load.norm());
-      displacement =
-        largest_of(displacement,
-                   (here.displacement - there.displacement).norm() / there.displacement.norm());
+      raise_to(load, (here.load - there.load).norm() / there.load.norm());
+      raise_to(displacement,
+               (here.displacement - there.displacement).norm() / there.displacement.norm());
     }
   check_below("loads of bearings", load, 1e-7);
   check_below("their displacements", displacement, 1e-7);

@@ -128,9 +128,9 @@ namespace
   {
     double difference = 0;
     for (std::size_t k = 0; k < whole.modes.size(); ++k)
-      difference = largest_of(difference,
-                              std::abs(whole.modes[k].frequency - sector.modes.at(k).frequency) /
-                                whole.modes.back().frequency);
+      raise_to(difference,
+               std::abs(whole.modes[k].frequency - sector.modes.at(k).frequency) /
+                 whole.modes.back().frequency);
     check("lowest of the body: number, counted",
           whole.modes.size() == sector.modes.size() && sector.counted && whole.counted);
     check_below("lowest of the body: frequencies", difference, 1e-6);
@@ -193,10 +193,9 @@ namespace
           for (unsigned int k = 0; k < n; ++k)
             {
               const RotatingMode &a = all.modes[k], &b = parts.modes[k];
-              difference = largest_of(difference,
-                                      std::abs(a.frequency - b.frequency) / all.modes[n].frequency);
-              residual   = largest_of({residual, a.residual, b.residual});
-              same       = same && a.description.nodal_diameter == b.description.nodal_diameter &&
+              raise_to(difference, std::abs(a.frequency - b.frequency) / all.modes[n].frequency);
+              residual = largest_of({residual, a.residual, b.residual});
+              same     = same && a.description.nodal_diameter == b.description.nodal_diameter &&
                      a.description.is_pair == b.description.is_pair;
               // Members of a pair that stands may be told apart in any way.
               if (coriolis && rate != 0)

@@ -67,8 +67,8 @@ namespace
       }
     for (const unsigned int row : rows)
       {
-        worst = largest_of(worst, (sectors.column(row) - bodies.column(row)).cwiseAbs().maxCoeff());
-        largest = largest_of(largest, bodies.column(row).cwiseAbs().maxCoeff());
+        raise_to(worst, (sectors.column(row) - bodies.column(row)).cwiseAbs().maxCoeff());
+        raise_to(largest, bodies.column(row).cwiseAbs().maxCoeff());
       }
     check_below(name + ": unit forces", worst / largest, 1e-8);
   }

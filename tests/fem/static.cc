@@ -88,9 +88,9 @@ namespace
           x.minCoeff() < 1e-9 || x[0] > 2. - 1e-9 || x[1] > 1.5 - 1e-9 || x[2] > 1. - 1e-9;
         for (unsigned int c = 0; c < 3; ++c)
           {
-            largest = largest_of(largest, std::abs(forces[3 * p + c]));
+            raise_to(largest, std::abs(forces[3 * p + c]));
             if (!on_border)
-              inner = largest_of(inner, std::abs(forces[3 * p + c]));
+              raise_to(inner, std::abs(forces[3 * p + c]));
           }
       }
     const Matrix3 strain = .5 * (gradient + gradient.transpose());
@@ -100,13 +100,12 @@ namespace
     exact            = compute_elasticity(d.material(0)) * exact;
     double deviation = 0;
     for (unsigned int e = 0; e < d.n_elements(); ++e)
-      deviation = largest_of(
-        deviation,
-        (compute_point_stresses(d.element_nodes(e), d.material(e), element, d.gather(e, u))
-           .colwise() -
-         exact)
-          .cwiseAbs()
-          .maxCoeff());
+      raise_to(deviation,
+               (compute_point_stresses(d.element_nodes(e), d.material(e), element, d.gather(e, u))
+                  .colwise() -
+                exact)
+                 .cwiseAbs()
+                 .maxCoeff());
     const std::string name = word_of(element, fem_element_choices());
     // Round-off of sums of some hundred terms.
     check_below("patch test, forces inside, " + name, inner / largest, 1e-12);
@@ -364,9 +363,9 @@ namespace
     for (unsigned int p = 0; p < d.n_points(); ++p)
       for (unsigned int c = 0; c < 3; ++c)
         {
-          largest = largest_of(largest, std::abs(forces[3 * p + c]));
+          raise_to(largest, std::abs(forces[3 * p + c]));
           if (d.points()[p][2] > 1e-9)
-            difference = largest_of(difference, std::abs(forces[3 * p + c] - applied[3 * p + c]));
+            raise_to(difference, std::abs(forces[3 * p + c] - applied[3 * p + c]));
         }
     return difference / largest;
   }

@@ -104,8 +104,8 @@ namespace
               {
                 const Vector3 expected =
                   back * at_node(body.structure().copy(readings[k].front().first, tooth));
-                error   = largest_of(error, (values.segment<3>(k) - expected).norm());
-                largest = largest_of(largest, expected.norm());
+                raise_to(error, (values.segment<3>(k) - expected).norm());
+                raise_to(largest, expected.norm());
               }
           }
         check_below(name + (spins ? ", in spin" : "") + ": displacements over the body's largest",
@@ -133,10 +133,10 @@ namespace
     });
     double                error  = 0.;
     for (std::size_t k = 0; k < readings.size(); k += 3)
-      error = largest_of(error,
-                         (values.segment<3>(k) -
-                          rigid(fine_model.bodies[0].node_positions()[readings[k].front().first]))
-                           .norm());
+      raise_to(error,
+               (values.segment<3>(k) -
+                rigid(fine_model.bodies[0].node_positions()[readings[k].front().first]))
+                 .norm());
     check_below("other meshes: rigid motion [mm]", error, 1e-9);
 
     const FacetSurface         &flank = body.mesh().surfaces.at(surface_name::convex);

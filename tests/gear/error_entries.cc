@@ -42,7 +42,7 @@ namespace
   {
     double off = found.size() == expected.size() ? 0. : 1.;
     for (std::size_t k = 0; k < expected.size() && k < found.size(); ++k)
-      off = largest_of(off, std::abs(found[k] / um - expected[k]));
+      raise_to(off, std::abs(found[k] / um - expected[k]));
     check_below(name, off, 1e-12);
   }
 

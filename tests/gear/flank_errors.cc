@@ -36,10 +36,10 @@ namespace
         for (double u = 0.; u < 1.; u += .07)
           for (double v = 0.; v < 1.; v += .09)
             {
-              off = largest_of(off, std::abs(grid.value(u, v) - cubic(u, v)));
+              raise_to(off, std::abs(grid.value(u, v) - cubic(u, v)));
               const Vector2 slope((cubic(u + step, v) - cubic(u - step, v)) / (2. * step),
                                   (cubic(u, v + step) - cubic(u, v - step)) / (2. * step));
-              slope_off = largest_of(slope_off, (grid.gradient(u, v) - slope).norm());
+              raise_to(slope_off, (grid.gradient(u, v) - slope).norm());
             }
         const std::string name = std::to_string(rows) + " x " + std::to_string(columns);
         check_below(name + ": cubics are met", off, 1e-13);
@@ -136,8 +136,7 @@ namespace
             const auto   point  = contact.contact(rot1, 0);
             const double turned = rot1 + pair.pinion().turn(pair.pinion_side(side));
             const double rot2 = gap_search(pair, side, turned, point.pinion_L_h + Vector2(.8, -.2));
-            worst =
-              largest_of(worst, std::abs(std::remainder(rot2 - point.rot2, 2. * pi)) / arcsecond);
+            raise_to(worst, std::abs(std::remainder(rot2 - point.rot2, 2. * pi)) / arcsecond);
             change =
               std::max(change, std::abs(point.lag - before.contact(rot1, 0).lag) / arcsecond);
           }
@@ -183,9 +182,9 @@ namespace
         const double   r2            = 116.49 * std::sin(plain.gear().blank().pitch_angle);
         double         off           = 0.;
         for (const double p : {-.5, 0., .5})
-          off = largest_of(off,
-                           std::abs(lag_of(gear, side, pair_of_tooth, p) -
-                                    lag_of(plain, side, pair_of_tooth, p) + F / r2));
+          raise_to(off,
+                   std::abs(lag_of(gear, side, pair_of_tooth, p) -
+                            lag_of(plain, side, pair_of_tooth, p) + F / r2));
         // along the normal instead of round the axis: second order in F over the radii of curvature
         check_below(side_name(side) + ", gear tooth: lag against -F/r [arcsec]",
                     off / arcsecond,
@@ -207,10 +206,9 @@ namespace
             {
               const double turn  = F * std::cos(2. * pi * 2 * k / 27. - .4) / r1;
               const double ahead = sign * turn / plain.pinion().pitch();
-              off                = largest_of(off,
-                               std::abs(
-                                 lag_of(pinion, side, k, p) -
-                                 (lag_of(plain, side, k, p + ahead) - plain.speed_ratio() * turn)));
+              raise_to(off,
+                       std::abs(lag_of(pinion, side, k, p) -
+                                (lag_of(plain, side, k, p + ahead) - plain.speed_ratio() * turn)));
             }
         check_below(side_name(side) + ", pinion teeth: lag against the turned tooth [arcsec]",
                     off / arcsecond,
@@ -242,7 +240,7 @@ namespace
         const double expected = mean.gear.normal.dot(c) / mean.arm;
         const double found =
           lag_of(pair, MeshSide::drive, -tooth, 0.) - lag_of(plain, MeshSide::drive, -tooth, 0.);
-        off       = largest_of(off, std::abs(found - expected));
+        raise_to(off, std::abs(found - expected));
         amplitude = std::max(amplitude, std::abs(found));
       }
     check_ratio("eccentric gear: amplitude of a turn over e |n transverse|/arm",

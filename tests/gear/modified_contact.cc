@@ -35,7 +35,7 @@ namespace
         const double turned = rot1 + pair.pinion().turn(pair.pinion_side(side));
         // start well beside the point of contact
         const double rot2 = gap_search(pair, side, turned, point.pinion_L_h + Vector2(0.8, -0.2));
-        worst = largest_of(worst, std::abs(std::remainder(rot2 - point.rot2, 2. * pi)) / arcsecond);
+        raise_to(worst, std::abs(std::remainder(rot2 - point.rot2, 2. * pi)) / arcsecond);
       }
     check_below(name + ": lag against the search [arcsec]", worst, 0.002);
   }

@@ -63,10 +63,10 @@ namespace
              .norm(),
            (normal + point.normal).norm()});
         const Vector2 u_v = FlankArea(pair.gear(), FlankSide::convex, {.1, .1}).place_of({L, h});
-        place             = largest_of(place,
-                           (u_v - Vector2((table.numbers("column")[i] - 1.) / 8.,
-                                          1. - (table.numbers("row")[i] - 1.) / 4.))
-                             .norm());
+        raise_to(place,
+                 (u_v - Vector2((table.numbers("column")[i] - 1.) / 8.,
+                                1. - (table.numbers("row")[i] - 1.) / 4.))
+                   .norm());
       }
     check_below("positions, deviations, normals", off, 1e-12);
     check_below("tip first, toe first", place, 1e-9);
@@ -81,9 +81,9 @@ namespace
         {
           const Vector2      L_h   = FlankArea(pair.gear(), FlankSide::convex).point_at({u, v});
           const SurfacePoint point = pair.gear().flank_point(FlankSide::convex, L_h[0], L_h[1]);
-          between                  = largest_of(between,
-                               std::abs(pair.gear().deviation(FlankSide::convex, 3, point) -
-                                        read.gear().deviation(FlankSide::convex, 50, point)));
+          raise_to(between,
+                   std::abs(pair.gear().deviation(FlankSide::convex, 3, point) -
+                            read.gear().deviation(FlankSide::convex, 50, point)));
         }
     // the terms are parabolas; what a turn does along the normal is nearly one
     check_below("read again as a topography [um]", between / um, .01);

@@ -250,9 +250,7 @@ subsection Lumped
     double largest = 0;
     samples        = 0;
     solver.run(model.swing_rate() / (2 * pi), [&](const LumpedSolver::Sample &s) {
-      largest =
-        largest_of(largest,
-                   std::abs((s.q[0] - rest) / swing - std::cos(model.swing_rate() * s.time)));
+      raise_to(largest, std::abs((s.q[0] - rest) / swing - std::cos(model.swing_rate() * s.time)));
       ++samples;
     });
     return largest;

@@ -129,7 +129,7 @@ namespace
         return;
       double s = 3 * T / k, s_rate = 0;
       pieces.run(m.time, 1e-3 / W, s, s_rate);
-      difference = largest_of(difference, std::abs(a - m.q[0] - s) / (T / k));
+      raise_to(difference, std::abs(a - m.q[0] - s) / (T / k));
     });
     check("flanks part often", r.losses >= 10);
     // Steps over kinks are of first order in their length only, and controlled to 1e-11.
@@ -193,7 +193,7 @@ namespace
         pieces.run(t, .01 / rate, s_n, v_n);
         const double q = a * std::cos(rate * t) - s_n;
         lowest         = std::min(lowest, q);
-        highest        = largest_of(highest, q);
+        raise_to(highest, q);
       }
     check_ratio("upper branch", swing[71 - at] * arcsecond / (highest - lowest), 3e-3);
   }

@@ -33,7 +33,7 @@ namespace
     const LumpedResponse response   = solver.run(w / 7., [&](const LumpedSolver::Sample &s) {
       const double t     = s.time;
       const double exact = a * std::exp(-d * t) * (std::cos(wd * t) + d / wd * std::sin(wd * t));
-      difference         = largest_of(difference, std::abs(s.q[0] - rest[0] - exact) / a);
+      raise_to(difference, std::abs(s.q[0] - rest[0] - exact) / a);
     });
     // Some thousand steps of 1e-11, whose errors are damped.
     check_below(name + "damped swing", difference, 1e-8);
@@ -67,7 +67,7 @@ namespace
     double               difference = 0;
     const LumpedResponse r          = solver.run(1 / period, [&](const LumpedSolver::Sample &s) {
       if (std::abs(s.position - std::round(s.position)) < 1e-6)
-        difference = largest_of(difference, std::abs(s.q[0] - start) / amplitude);
+        raise_to(difference, std::abs(s.q[0] - start) / amplitude);
     });
     check_below(name + ": the motion returns", difference, 1e-7);
     check(name + ": flanks part once a period", r.losses == 10);
@@ -99,7 +99,7 @@ namespace
     const double momentum = i * 20. * v[0] + .3 * v[1];
     double       change   = 0;
     solver.run(500., [&](const LumpedSolver::Sample &s) {
-      change = largest_of(change, std::abs(i * 20. * s.v[0] + .3 * s.v[1] - momentum));
+      raise_to(change, std::abs(i * 20. * s.v[0] + .3 * s.v[1] - momentum));
     });
     check_below("two inertias: change of momentum", change / (i * 20. * .7), 1e-9);
   }
@@ -132,8 +132,7 @@ namespace
     solver.run(1000., [&](const LumpedSolver::Sample &s) {
       const Eigen::VectorXd exact =
         1e-4 * std::cos(2 * pi * modes[0].frequency * s.time) * modes[0].shape;
-      difference =
-        largest_of(difference, (s.q - rest - exact).norm() / (1e-4 * modes[0].shape.norm()));
+      raise_to(difference, (s.q - rest - exact).norm() / (1e-4 * modes[0].shape.norm()));
     });
     // Some thousand steps of 1e-11.
     check_below("support: a mode swings alone", difference, 5e-8);

@@ -100,7 +100,7 @@ namespace
       return std::numeric_limits<double>::infinity();
     double largest = 0;
     for (std::size_t i = 0; i < one.size(); ++i)
-      largest = largest_of(largest, (one[i] - other[i]).norm());
+      raise_to(largest, (one[i] - other[i]).norm());
     return largest;
   }
 
@@ -125,7 +125,7 @@ namespace
       {
         const auto &nodes = inp->node_sets.at(abaqus_name("pinion " + set.first));
         sets              = sets && nodes.size() == set.second.size();
-        inp_nodes = largest_of(inp_nodes, apart(places(*pinion, set.second), places(*inp, nodes)));
+        raise_to(inp_nodes, apart(places(*pinion, set.second), places(*inp, nodes)));
       }
     check("inp: node sets", sets);
     check_below("inp: places of the sets' nodes [mm]", inp_nodes, 1e-9);
@@ -136,8 +136,7 @@ namespace
         point_sets =
           point_sets && found != msh->node_sets.end() && found->second.size() == set.second.size();
         if (found != msh->node_sets.end())
-          msh_nodes =
-            largest_of(msh_nodes, apart(places(*pinion, set.second), places(*msh, found->second)));
+          raise_to(msh_nodes, apart(places(*pinion, set.second), places(*msh, found->second)));
       }
     check("msh: node sets", point_sets);
     check_below("msh: places of the sets' nodes [mm]", msh_nodes, 1e-9);
@@ -155,8 +154,7 @@ namespace
       for (const FacetSurface *read :
            {&inp->surfaces.at(abaqus_name(std::string("pinion ") + side) + "_SURFACE"),
             &msh->surfaces.at(std::string("pinion ") + side)})
-        facets =
-          largest_of(facets, apart(vector_areas(pinion->surfaces.at(side)), vector_areas(*read)));
+        raise_to(facets, apart(vector_areas(pinion->surfaces.at(side)), vector_areas(*read)));
     check_below("inp and msh: facets' middles and areas [mm, mm^2]", facets, 1e-9);
     check("inp and msh: regions",
           inp->regions.size() >= 2 && inp->node_sets.count("PINION_TEETH") == 1 &&
@@ -247,7 +245,7 @@ namespace
     for (const unsigned int node : both->node_sets.at("RING_OUTER"))
       {
         const auto &x = both->triangulation.get_vertices()[node];
-        radii         = largest_of(radii, std::abs(std::hypot(x[0] - 10., x[1]) - 2.));
+        raise_to(radii, std::abs(std::hypot(x[0] - 10., x[1]) - 2.));
       }
     check("assembly: block's side at x = 0", on_side);
     check_below("assembly: outer radius about x = 10 mm", radii, 1e-12);

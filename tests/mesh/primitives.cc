@@ -156,7 +156,7 @@ namespace
     const FacetSurface &outer = sphere->surfaces.at("outer");
     double              off   = 0.;
     for (const Vector3 &x : outer.positions)
-      off = largest_of(off, std::abs(x.norm() - 10.));
+      raise_to(off, std::abs(x.norm() - 10.));
     check_below("sphere outer nodes on the sphere", off, round_off);
     check("sphere surface closes", outer.facets.size() == 96 && open_sides(outer) == 0);
     const auto &centre = sphere->triangulation.get_vertices()[sphere->node_sets.at("centre")[0]];
@@ -164,7 +164,7 @@ namespace
     sphere->triangulation.refine_global(1);
     double off_refined = 0.;
     for (const Vector3 &x : surface_of_boundary(sphere->triangulation, "refined", 1).positions)
-      off_refined = largest_of(off_refined, std::abs(x.norm() - 10.));
+      raise_to(off_refined, std::abs(x.norm() - 10.));
     check_below("sphere refined: outer nodes on the sphere", off_refined, round_off);
   }
 

@@ -76,8 +76,8 @@ namespace
     double      low = 0, high = 0;
     for (const Vector3 &X : disc.bodies[0].node_positions())
       {
-        low  = std::min(low, X[2]);
-        high = largest_of(high, X[2]);
+        low = std::min(low, X[2]);
+        raise_to(high, X[2]);
       }
     check("disc: about z = 0", low == -1.25 && high == 1.25);
   }
@@ -156,7 +156,7 @@ end
       {
         const Vector3 &X = made.node_positions()[i];
         const Vector3  v(7 * X[1], X[0] * X[0] - 1, X[2] > 5 ? 2. : -2.);
-        largest = largest_of(largest, (made.initial_velocity[i] - v).norm());
+        raise_to(largest, (made.initial_velocity[i] - v).norm());
       }
     check_below("formulas of the undeformed places [mm/s]", largest, 1e-12);
     check("no formula, no field",
@@ -179,9 +179,9 @@ end
       {
         const Vector3 middle = made.element_nodes(e).rowwise().mean();
         right = right && made.material(e).name == (middle[2] > .5 ? "brass" : "steel");
-        wrong = largest_of(wrong,
-                           std::abs(made.initial_strain(e) -
-                                    (middle[2] > .5 ? 2e-5 : 1.2e-5) * 10. * middle[0]));
+        raise_to(wrong,
+                 std::abs(made.initial_strain(e) -
+                          (middle[2] > .5 ? 2e-5 : 1.2e-5) * 10. * middle[0]));
       }
     check("a region of the file has its own material", right);
     check_close("mass of both halves [g]", 1e6 * made.mass(), .01 * (7.85 + 8.5), 1e-12);

@@ -164,9 +164,8 @@ namespace
             const Vector3 traction(moment[1] / Iy * r[2] - moment[2] / Iz * r[1],
                                    -moment[0] / (Iy + Iz) * r[2],
                                    moment[0] / (Iy + Iz) * r[1]);
-            deviation =
-              largest_of(deviation,
-                         (motion.rotation.transpose() * nodal - face.areas[i] * traction).norm());
+            raise_to(deviation,
+                     (motion.rotation.transpose() * nodal - face.areas[i] * traction).norm());
           }
         const std::string name = moved ? "moved end face: " : "end face: ";
         check_below(name + "sum of the forces [N]", force.norm(), 1e-9);

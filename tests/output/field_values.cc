@@ -138,14 +138,11 @@ namespace
         double nearest = 1e9;
         for (const Vector3 &node : body.node_positions())
           nearest = std::min(nearest, (node - X).norm());
-        place = largest_of(place, nearest);
-        displacement =
-          largest_of(displacement,
-                     (fields.vector("displacement", p) - R * (H * start)).norm() / 1e-3);
+        raise_to(place, nearest);
+        raise_to(displacement, (fields.vector("displacement", p) - R * (H * start)).norm() / 1e-3);
         const Vector3 left =
           b == 0 ? Vector3(1e-3 * (growth * x + along * a)) : Vector3(Vector3::Zero());
-        velocity =
-          largest_of(velocity, (fields.vector("relative velocity", p) - left).norm() / 10.);
+        raise_to(velocity, (fields.vector("relative velocity", p) - left).norm() / 10.);
         // In the cylindrical axes of the undeformed place.
         Vector3 radial = start - start.dot(a) * a;
         Matrix3 axes;
@@ -160,21 +157,19 @@ namespace
         const Matrix3             now  = R * stress(b) * R.transpose();
         const std::vector<double> here = fields.values("stress", p);
         for (unsigned int c = 0; c < 6; ++c)
-          tensor = largest_of(tensor, std::abs(here[c] - now(row[c], column[c])) / 10.);
+          raise_to(tensor, std::abs(here[c] - now(row[c], column[c])) / 10.);
         const Vector3 exact = Eigen::SelfAdjointEigenSolver<Matrix3>(stress(b)).eigenvalues();
         for (unsigned int c = 0; c < 3; ++c)
-          principal =
-            largest_of(principal,
-                       std::abs(fields.number("principal stress " + std::to_string(c + 1), p) -
-                                exact[2 - c]) /
-                         10.);
+          raise_to(principal,
+                   std::abs(fields.number("principal stress " + std::to_string(c + 1), p) -
+                            exact[2 - c]) /
+                     10.);
         const Matrix3 deviator =
           stress(b) - stress(b).trace() / 3 * Matrix3::Identity(); // whatever the axes
         mises = largest_of(
           mises, std::abs(fields.number("von mises", p) - std::sqrt(1.5) * deviator.norm()) / 10.);
         const double area = area_at(b, X), expected = area > 0 ? force_at(X) / area : 0.;
-        pressure =
-          largest_of(pressure, std::abs(fields.number("contact pressure", p) - expected) / 10.);
+        raise_to(pressure, std::abs(fields.number("contact pressure", p) - expected) / 10.);
         carry += area > 0;
         // A point of the ring lies at the border of its sector of 15 degrees.
         const double tooth = fields.cell_number("tooth", i / 8);

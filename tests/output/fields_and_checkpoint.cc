@@ -113,12 +113,12 @@ namespace
     const double sigma = 206000 * strain;
     for (unsigned int i = 0; i < model.n_nodes(); ++i)
       if (i < model.bodies[1].first_node)
-        ring_stress = largest_of(ring_stress, largest_size(stresses[i]));
+        raise_to(ring_stress, largest_size(stresses[i]));
       else
         {
           // The block's cylindrical axes turn with the node: the trace and z are what stays.
           const auto &s = stresses[i];
-          block_error   = largest_of(block_error, std::abs(s[0] + s[1] - sigma) + std::abs(s[2]));
+          raise_to(block_error, std::abs(s[0] + s[1] - sigma) + std::abs(s[2]));
         }
     if (!speaks)
       return;

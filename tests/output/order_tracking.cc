@@ -58,13 +58,11 @@ namespace
         const auto   value = [&](const std::string &name) {
           return orders.numbers(name + " amplitude")[i];
         };
-        of_dte = largest_of(of_dte, std::abs(value("dte") - (k == 1 ? 7. : k == 3 ? 2. : 0.)));
-        of_rim = largest_of(of_rim, std::abs(value("rim dte") - (k == 2 ? .5 : 0.)));
-        of_force =
-          largest_of(of_force, std::abs(value("contact force total") - (k == 1 ? 40. : 0.)));
-        of_speed =
-          largest_of(of_speed, std::abs(orders.numbers(column::speed)[i] / (2000 + 2e5 * t) - 1));
-        of_place = largest_of(of_place, std::abs(pair.meshes(t) - 2 - 2 * std::floor(i / 3.)));
+        raise_to(of_dte, std::abs(value("dte") - (k == 1 ? 7. : k == 3 ? 2. : 0.)));
+        raise_to(of_rim, std::abs(value("rim dte") - (k == 2 ? .5 : 0.)));
+        raise_to(of_force, std::abs(value("contact force total") - (k == 1 ? 40. : 0.)));
+        raise_to(of_speed, std::abs(orders.numbers(column::speed)[i] / (2000 + 2e5 * t) - 1));
+        raise_to(of_place, std::abs(pair.meshes(t) - 2 - 2 * std::floor(i / 3.)));
       }
     // Splines between 20 samples a mesh, 7 a period of the third order at the end; the drift of 0.1
     // in a window is none of its orders.
@@ -133,7 +131,7 @@ namespace
         const double      expected  = n == 2 && k == 1 && direction == "backward"  ? 4.
                                       : n == 2 && k == 2 && direction == "forward" ? 2.
                                                                                    : 0.;
-        wrong = largest_of(wrong, std::abs(orders.numbers("amplitude")[i] - expected));
+        raise_to(wrong, std::abs(orders.numbers("amplitude")[i] - expected));
       }
     check("rim: two orders, diameters and directions a window",
           orders.n_rows() > 0 && orders.n_rows() % 8 == 0);
@@ -191,9 +189,9 @@ namespace
           (response(x + h) - 2. * response(x) + response(x - h)) / (h * h);
         const double expected =
           std::abs(response(x) - std::complex<double>(0., .5) * (2 * pi * a) * bend);
-        wrong   = largest_of(wrong, std::abs(amplitudes[w][0] / expected - 1));
-        without = largest_of(without, std::abs(amplitudes[w][0] / std::abs(response(x)) - 1));
-        second  = largest_of(second, amplitudes[w][1]);
+        raise_to(wrong, std::abs(amplitudes[w][0] / expected - 1));
+        raise_to(without, std::abs(amplitudes[w][0] / std::abs(response(x)) - 1));
+        raise_to(second, amplitudes[w][1]);
         if (amplitudes[w][0] > highest)
           {
             highest    = amplitudes[w][0];

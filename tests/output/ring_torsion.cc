@@ -63,9 +63,9 @@ namespace
     void add(const double r, const std::array<double, 6> &stress)
     {
       const double tau = -2 * Material().mu() * B / (r * r);
-      shear            = largest_of(shear, std::abs(stress[3] / tau - 1));
+      raise_to(shear, std::abs(stress[3] / tau - 1));
       for (const unsigned int c : {0, 1, 2, 4, 5})
-        others = largest_of(others, std::abs(stress[c] / tau));
+        raise_to(others, std::abs(stress[c] / tau));
     }
   };
 
@@ -92,7 +92,7 @@ namespace
         fields.add(r, stresses[node]);
         probes.add(r, values[p].stress);
         for (unsigned int c = 0; c < 6; ++c)
-          difference = largest_of(difference, std::abs(stresses[node][c] - values[p].stress[c]));
+          raise_to(difference, std::abs(stresses[node][c] - values[p].stress[c]));
       }
     const std::string name = std::string(frame == FrameKind::polar ? "polar" : "three nodes") +
                              (turn == 0 ? ", at rest: " : ", turned: ");

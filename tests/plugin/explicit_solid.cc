@@ -85,10 +85,10 @@ namespace
         const std::uint32_t local = run.state.partition->local_node[i / 3];
         const double        u     = solid.displacement()[of_vertex[i]],
                      x = run.state.node_position(local)[i % 3], w = solid.velocity()[of_vertex[i]];
-        largest  = largest_of(largest, std::abs(u));
-        fastest  = largest_of(fastest, std::abs(w));
-        place    = largest_of(place, std::abs(body.node_positions()[i / 3][i % 3] + u - x));
-        velocity = largest_of(velocity, std::abs(w - run.state.node_velocity(local)[i % 3]));
+        raise_to(largest, std::abs(u));
+        raise_to(fastest, std::abs(w));
+        raise_to(place, std::abs(body.node_positions()[i / 3][i % 3] + u - x));
+        raise_to(velocity, std::abs(w - run.state.node_velocity(local)[i % 3]));
       }
     check("the block has moved", largest > .1);
     check_below("places less those of the run, over the largest displacement",
@@ -133,11 +133,11 @@ namespace
         solid.step(mesh.zero());
         const double energy = solid.kinetic_energy() + solid.strain_energy();
         least               = std::min(least, energy);
-        most                = largest_of(most, energy);
-        strain              = largest_of(strain, solid.strain_energy() / energy);
+        raise_to(most, energy);
+        raise_to(strain, solid.strain_energy() / energy);
         for (std::size_t i = 0; i < mesh.places.size(); ++i)
           if (mesh.component[i] != 0)
-            sideways = largest_of(sideways, std::abs(solid.displacement()[i]));
+            raise_to(sideways, std::abs(solid.displacement()[i]));
       }
     check("the wave has strain energy", strain > .3);
     check_below("energy: largest over least, less one", most / least - 1, 1e-12);
@@ -190,17 +190,16 @@ namespace
         solid.step(mesh.zero());
         v += solid.velocity();
         work += .5 * dt * (force * v);
-        error              = largest_of(error, std::abs(kinetic() - at_start - work) / at_start);
-        change             = largest_of(change, std::abs(work) / at_start);
+        raise_to(error, std::abs(kinetic() - at_start - work) / at_start);
+        raise_to(change, std::abs(work) / at_start);
         Vector distributed = solid.displacement();
         lines.distribute(distributed);
         distributed -= solid.displacement();
-        hanging = largest_of(hanging, distributed.linfty_norm());
-        tie =
-          largest_of(tie, std::abs(solid.displacement()[tied] + 2 * solid.displacement()[master]));
+        raise_to(hanging, distributed.linfty_norm());
+        raise_to(tie, std::abs(solid.displacement()[tied] + 2 * solid.displacement()[master]));
         for (std::size_t i = 0; i < mesh.places.size(); ++i)
           if (mesh.component[i] == 0 && mesh.places[i][0] == 0)
-            at_symmetry = largest_of(at_symmetry, std::abs(solid.displacement()[i]));
+            raise_to(at_symmetry, std::abs(solid.displacement()[i]));
       }
     check("the forces do work", change > .3);
     check_below("kinetic energy less the work, over that at the start", error, 1e-12);
@@ -228,7 +227,7 @@ namespace
     for (std::size_t i = 0; i < mesh.places.size(); ++i)
       {
         double &largest = outside.is_element(i) ? boundary : inside;
-        largest         = largest_of(largest, std::abs(force[i]));
+        raise_to(largest, std::abs(force[i]));
       }
     return inside / boundary;
   }
@@ -311,10 +310,9 @@ namespace
         for (std::size_t i = 0; i < mesh.places.size(); ++i)
           if (mesh.constraints.is_constrained(i))
             {
-              place    = largest_of(place, std::abs(solid.displacement()[i] - lead(solid.time())));
-              velocity = largest_of(velocity,
-                                    std::abs(solid.velocity()[i] -
-                                             (lead((n + 1) * dt) - lead(n * dt)) / dt));
+              raise_to(place, std::abs(solid.displacement()[i] - lead(solid.time())));
+              raise_to(velocity,
+                       std::abs(solid.velocity()[i] - (lead((n + 1) * dt) - lead(n * dt)) / dt));
             }
       }
     check_below("displacement less the prescribed one [mm]", place, 1e-15);
@@ -336,9 +334,9 @@ namespace
     const double a = .5e4 * dt, rest = std::pow((1 - a) / (1 + a), 200);
     double       error = 0;
     for (std::size_t i = 0; i < mesh.places.size(); ++i)
-      error = largest_of(error,
-                         std::abs(damped.velocity()[i] - 20 * (1 - rest) -
-                                  (mesh.component[i] == 0 ? 3 * rest : 0.)));
+      raise_to(error,
+               std::abs(damped.velocity()[i] - 20 * (1 - rest) -
+                        (mesh.component[i] == 0 ? 3 * rest : 0.)));
     // Places have digits of 1e-15 mm, which steps of 1e-7 s make velocities of 1e-8 mm/s.
     check_below("velocity under constant acceleration and damping [mm/s]", error, 1e-7);
   }

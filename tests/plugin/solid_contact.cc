@@ -69,14 +69,13 @@ namespace
         resting.step(g);
         const double first  = momentum_of(flying, meshes[0]),
                      second = momentum_of(resting, meshes[1]);
-        momentum            = largest_of(momentum, std::abs((first + second) / (mass * speed) - 1));
-        balance = largest_of(balance, std::abs(first - before - dt * force) / (mass * speed));
-        energy  = largest_of(energy,
-                            std::abs((flying.kinetic_energy() + flying.strain_energy() +
-                                      resting.kinetic_energy() + resting.strain_energy() +
-                                      contact.energy()) /
-                                       (.5 * mass * speed * speed) -
-                                     1));
+        raise_to(momentum, std::abs((first + second) / (mass * speed) - 1));
+        raise_to(balance, std::abs(first - before - dt * force) / (mass * speed));
+        raise_to(energy,
+                 std::abs((flying.kinetic_energy() + flying.strain_energy() +
+                           resting.kinetic_energy() + resting.strain_energy() + contact.energy()) /
+                            (.5 * mass * speed * speed) -
+                          1));
         impulse -= dt * force;
         if (force < 0)
           {
@@ -117,7 +116,7 @@ namespace
         bar.step(f);
         wall.step(g);
         const double sum = bar.kinetic_energy() + bar.strain_energy() + contact.energy();
-        energy           = largest_of(energy, std::abs(sum / (.5 * at_start * speed) - 1));
+        raise_to(energy, std::abs(sum / (.5 * at_start * speed) - 1));
       }
     check_below("energy of a bar at a wall over that at the start, less one", energy, 1e-9);
     check_close("momentum after the impact over that before",

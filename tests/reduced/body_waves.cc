@@ -53,15 +53,13 @@ namespace
               const double half = rate * coupling, K = stiffness_at(rate);
               const double root  = std::sqrt(half * half + K);
               const double omega = wave.omega > 0 ? -half + root : -half - root;
-              worst              = largest_of(worst, std::abs(wave.omega / omega - 1.));
+              raise_to(worst, std::abs(wave.omega / omega - 1.));
               // Crests k h alpha + omega t: against the turn where both have one sign.
               const bool backward = wave.omega * sense * rate > 0;
               named =
                 named && wave.order == 1 && backward == (wave.direction == WaveDirection::backward);
               const double kinetic = omega * omega, strain = K;
-              share =
-                largest_of(share,
-                           std::abs(wave.kinetic_share / (kinetic / (kinetic + strain)) - 1.));
+              raise_to(share, std::abs(wave.kinetic_share / (kinetic / (kinetic + strain)) - 1.));
             }
         }
     check_below("frequencies", worst, 1e-12);
@@ -119,7 +117,7 @@ namespace
         const double m        = backward ? turns : -turns;
         const double rate =
           std::sqrt((lambda - spin * body_rate * body_rate) / (m * m + 2. * coupling * m - spin));
-        worst = largest_of(worst, std::abs(meeting.rate / rate - 1.));
+        raise_to(worst, std::abs(meeting.rate / rate - 1.));
         // The damped wave met at rate (1 + d) has half the power where its frequency is missed by
         // its decay rate.
         const double d     = meeting.wave.damping_ratio(50.) / (1. - meeting.stiffening);
@@ -127,7 +125,7 @@ namespace
         const auto   waves = find_waves(body, 0, at, 1.);
         const double own   = waves[0].direction == meeting.wave.direction ? waves[0].frequency()
                                                                           : waves[1].frequency();
-        width = largest_of(width, std::abs((turns * at - own) / meeting.wave.decay_rate(50.) - 1.));
+        raise_to(width, std::abs((turns * at - own) / meeting.wave.decay_rate(50.) - 1.));
         check("orders of the turn", meeting.turns_order(teeth) == turns);
       }
     check_below("rates at which they meet", worst, 1e-9);

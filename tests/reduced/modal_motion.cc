@@ -60,7 +60,7 @@ namespace
       {
         free.advance(force);
         const double exact = 2e3 / (omega * omega) * (1. - std::cos(omega * i * step));
-        worst = largest_of(worst, std::abs(free.coordinates(0)[0] - exact) * omega * omega / 2e3);
+        raise_to(worst, std::abs(free.coordinates(0)[0] - exact) * omega * omega / 2e3);
       }
     check_below("a sudden force: closed form", worst, 1e-10);
 
@@ -98,7 +98,7 @@ namespace
         const Complex exact =
           (backward * std::polar(1., forward * t) - forward * std::polar(1., backward * t)) /
           (backward - forward);
-        worst = largest_of(worst, std::abs(motion.coordinates(0)[0] - exact));
+        raise_to(worst, std::abs(motion.coordinates(0)[0] - exact));
       }
     check_below("waves with and against the spin: closed form", worst, 1e-10);
 
@@ -165,12 +165,12 @@ namespace
         momentum += forces.moment * 3e-5;
         const double energy = motion.kinetic() + motion.strain() +
                               .5 * body.turn_inertia * std::pow(motion.turn_rate(), 2);
-        largest          = largest_of(largest, energy);
-        worst_energy     = largest_of(worst_energy, std::abs(energy - work));
-        worst_momentum   = largest_of(worst_momentum,
-                                    std::abs(body.turn_inertia * motion.turn_rate() +
-                                             rate * motion.added_inertia() - momentum));
-        largest_momentum = largest_of(largest_momentum, std::abs(momentum));
+        raise_to(largest, energy);
+        raise_to(worst_energy, std::abs(energy - work));
+        raise_to(worst_momentum,
+                 std::abs(body.turn_inertia * motion.turn_rate() + rate * motion.added_inertia() -
+                          momentum));
+        raise_to(largest_momentum, std::abs(momentum));
       }
     check_below("energy is the forces' work", worst_energy / largest, 1e-11);
     check_below("angular momentum is the moment's", worst_momentum / largest_momentum, 1e-11);

@@ -53,10 +53,10 @@ namespace
         for (std::size_t i = 0; i < at.bearings.size(); ++i)
           {
             const SeatState &a = state.measured.bearings[i], &b = at.bearings[i];
-            forces = largest_of(forces, (a.load - b.load).head<3>().norm());
-            ways   = largest_of(ways, (a.displacement - b.displacement).head<3>().norm());
-            force  = std::max(force, b.load.head<3>().norm());
-            way    = std::max(way, b.displacement.head<3>().norm());
+            raise_to(forces, (a.load - b.load).head<3>().norm());
+            raise_to(ways, (a.displacement - b.displacement).head<3>().norm());
+            force = std::max(force, b.load.head<3>().norm());
+            way   = std::max(way, b.displacement.head<3>().norm());
           }
         check_below("forces of bearings, over the largest", forces / force, straight);
         check_below("displacements in bearings, over the largest", ways / way, straight);
@@ -95,8 +95,7 @@ namespace
           continue;
         const State state = measure(pair);
         means.errors.push_back(state.measured.transmission_error / arcsecond);
-        means.energy_error =
-          largest_of(means.energy_error, std::abs(state.measured.energy.error()));
+        raise_to(means.energy_error, std::abs(state.measured.energy.error()));
         Vector3 sum = Vector3::Zero();
         for (std::size_t b = 0; b < model.bearings.size(); ++b)
           {

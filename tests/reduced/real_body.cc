@@ -146,10 +146,10 @@ namespace
     for (std::size_t i = 0; i < rows.n_rows(); ++i)
       largest[kind_of(i)] = largest_of(largest[kind_of(i)], std::abs(readings[i]));
     for (std::size_t i = 0; i < rows.n_rows(); ++i)
-      worst = largest_of(worst,
-                         std::abs(readings[i] -
-                                  read_row(rows.column("reading").texts[i], body, motion, model)) /
-                           largest[kind_of(i)]);
+      raise_to(worst,
+               std::abs(readings[i] -
+                        read_row(rows.column("reading").texts[i], body, motion, model)) /
+                 largest[kind_of(i)]);
     const MatrixXd residual = read(name + "_residual");
     check_below(name + ": residual flexibility",
                 (residual - body.residual[body.reach].topRows(residual.rows())).norm() /

@@ -82,9 +82,9 @@ namespace
           continue;
         const State state = measure(pair);
         const auto  there = whole.solve(i == 1000 ? turns[1] : turns[2], 1.);
-        worst             = largest_of(
-          worst,
-          std::abs(state.measured.transmission_error / error_of(model, compliance, there) - 1.));
+        raise_to(worst,
+                 std::abs(state.measured.transmission_error / error_of(model, compliance, there) -
+                          1.));
       }
     // The swing that a load upon another tooth starts is still there.
     check_below("positions of a mesh cycle in turn", worst, 2e-4);
@@ -132,9 +132,8 @@ namespace
       {
         const Probe &probe = model.probes[i];
         const double known = von_mises(stresses[model.bodies[probe.body].first_node + probe.node]);
-        worst =
-          largest_of(worst,
-                     std::abs(pair.reader().read_probes({probe}).front().von_mises / known - 1.));
+        raise_to(worst,
+                 std::abs(pair.reader().read_probes({probe}).front().von_mises / known - 1.));
       }
     check("probes", model.probes.size() > 1);
     // The turn on the hub strains the whole body by its linear strains.
@@ -158,7 +157,7 @@ namespace
           continue;
         const State state = measure(pair);
         errors.push_back(state.measured.transmission_error / arcsecond);
-        energy_error = largest_of(energy_error, std::abs(state.measured.energy.error()));
+        raise_to(energy_error, std::abs(state.measured.energy.error()));
       }
     return errors;
   }
@@ -197,9 +196,7 @@ namespace
         pair.step();
         time += step;
         pair.measure(state);
-        worst =
-          largest_of(worst,
-                     std::abs(state.measured.energy.residual() / state.measured.energy.strain));
+        raise_to(worst, std::abs(state.measured.energy.residual() / state.measured.energy.strain));
         impulse += step * state.measured.contact_torque;
         load += step * std::abs(pair.load());
         drive += step * state.measured.drive_torque;

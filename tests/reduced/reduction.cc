@@ -168,7 +168,7 @@ namespace
         {
           ++n_below;
           if (values[std::min(k, values.size() - 1)] > 0)
-            worst = largest_of(worst, std::abs(result.modes[k].eigenvalue / values[k] - 1.));
+            raise_to(worst, std::abs(result.modes[k].eigenvalue / values[k] - 1.));
         }
     check(name + ": number of modes", n_below == values.size() && n_below > 20);
     check(name + ": counted", reduced.counted && result.counted);
@@ -192,12 +192,12 @@ namespace
                                        .real());
             }));
             momenta.push_back(whole.momentum(shapes.back()));
-            turn = largest_of(turn, whole.turn_of(shapes.back()));
+            raise_to(turn, whole.turn_of(shapes.back()));
           }
     double defect = 0;
     for (std::size_t i = 0; i < shapes.size(); ++i)
       for (std::size_t k = 0; k <= i; ++k)
-        defect = largest_of(defect, std::abs(product(shapes[i], momenta[k]) - (i == k ? 1. : 0.)));
+        raise_to(defect, std::abs(product(shapes[i], momenta[k]) - (i == k ? 1. : 0.)));
     check_below(name + ": orthonormality", defect, 1e-8);
     if (reduced.turns)
       check_below(name + ": modes without angular momentum", turn, 1e-8);
@@ -227,9 +227,9 @@ namespace
         const Field u = whole_field(body, [&](const unsigned int k) {
           return Eigen::VectorXd(answers[k].col(column));
         });
-        worst = largest_of(worst, relative_difference(whole.at_nodes(whole.answer(forces)), u));
+        raise_to(worst, relative_difference(whole.at_nodes(whole.answer(forces)), u));
         if (whole.has_nodes_only())
-          turn = largest_of(turn, whole.turn_of(u));
+          raise_to(turn, whole.turn_of(u));
       }
     check_below(name + ": displacements under forces", worst, 1e-7);
 
@@ -305,27 +305,26 @@ namespace
         // About the axis nothing is left where it turns freely.
         if (reduced.turns && std::abs(body.axis.direction[c % 3]) > .5 && c % 6 > 2)
           continue;
-        nodes =
-          largest_of(nodes, relative_difference(u, whole_field(body, [&](const unsigned int k) {
-                                                  return Eigen::VectorXd(
-                                                    (rows[0] * own +
-                                                     std::polar(1., k * reduced.sector_angle) *
-                                                       (rows[1] * own))
-                                                      .real());
-                                                })));
+        raise_to(nodes,
+                 relative_difference(u, whole_field(body, [&](const unsigned int k) {
+                                       return Eigen::VectorXd(
+                                         (rows[0] * own + std::polar(1., k * reduced.sector_angle) *
+                                                            (rows[1] * own))
+                                           .real());
+                                     })));
         const Eigen::VectorXd moved = turn * rings * own, known = seats.displacement(u);
         // Turns as ways at 10 mm.
         const double largest =
           Eigen::Map<const Eigen::VectorXd>(u.data(), u.size()).cwiseAbs().maxCoeff();
         for (std::size_t i = 0; i < 2 * seats.list().size(); ++i)
-          motions = largest_of(motions,
-                               (i % 2 == 0 ? 1. : 10.) / largest *
-                                 (moved.segment<3>(3 * i) - known.segment<3>(3 * i)).norm());
+          raise_to(motions,
+                   (i % 2 == 0 ? 1. : 10.) / largest *
+                     (moved.segment<3>(3 * i) - known.segment<3>(3 * i)).norm());
         const Field momentum = whole.momentum(u);
         Vector3     sum      = Vector3::Zero();
         for (std::size_t i = 0; i < body.n_nodes(); ++i)
           sum += Eigen::Map<const Vector3>(momentum.data() + 3 * i);
-        mean = largest_of(
+        raise_to(
           mean,
           (sum / reduced.rings.inertia(0, 0) - moved.segment<3>(6 * seats.list().size())).norm() /
             largest);
@@ -455,9 +454,9 @@ namespace
     check("more modes with the higher cut-off", 2 * few.n_modes() < many.n_modes());
     double worst = 0;
     for (const int d : {-2, -1, 0, 1, 2})
-      worst = largest_of(worst,
-                         (static_answer(few, d) - static_answer(many, d)).norm() /
-                           static_answer(few, d).norm());
+      raise_to(worst,
+               (static_answer(few, d) - static_answer(many, d)).norm() /
+                 static_answer(few, d).norm());
     check_below("displacements under forces with two cut-offs", worst, 1e-9);
   }
 
@@ -526,8 +525,8 @@ namespace
         for (const RotatingMode &mode : whole.modes)
           if (mode.frequency > 0 && k < 34)
             {
-              worst = largest_of(worst, std::abs(waves[k] / (2. * pi * mode.frequency) - 1.));
-              split = largest_of(split, std::abs(waves[k] / still[k] - 1.));
+              raise_to(worst, std::abs(waves[k] / (2. * pi * mode.frequency) - 1.));
+              raise_to(split, std::abs(waves[k] / still[k] - 1.));
               ++k;
             }
         // Breathing turns the body on a free hub, as a skater's arms do.
@@ -572,12 +571,10 @@ namespace
               Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd>(K).eigenvalues();
             for (unsigned int k = 0; k < std::min(2u, harmonic.n_modes()); ++k)
               {
-                worst =
-                  largest_of(worst, std::abs(values[k] / there.harmonics[i].eigenvalues[k] - 1.));
-                change =
-                  largest_of(change,
-                             std::abs(harmonic.eigenvalues[k] / there.harmonics[i].eigenvalues[k] -
-                                      1.));
+                raise_to(worst, std::abs(values[k] / there.harmonics[i].eigenvalues[k] - 1.));
+                raise_to(change,
+                         std::abs(harmonic.eigenvalues[k] / there.harmonics[i].eigenvalues[k] -
+                                  1.));
               }
           }
         check("speed matters", change > 1e-2);
@@ -615,8 +612,7 @@ namespace
         const double largest                = all.residual[d + 6].topRows(n).cwiseAbs().maxCoeff();
         (std::abs(d) > 2 ? beyond : within) = std::max(std::abs(d) > 2 ? beyond : within, largest);
         if (std::abs(d) <= 2)
-          difference =
-            largest_of(difference, (all.residual[d + 6] - some.residual[d + 2]).norm() / largest);
+          raise_to(difference, (all.residual[d + 6] - some.residual[d + 2]).norm() / largest);
       }
     check_below("residuals do not depend on the reach", difference, 1e-12);
     check_close("what is left beyond the reach", some.residual_left, beyond / within, 1e-12);
@@ -636,7 +632,7 @@ namespace
                                                  (read.row(0) - next).norm(),
                                                  (read.row(1) - last).norm(),
                                                  (read.row(2) - next - last).norm()});
-        size                       = largest_of(size, read.norm());
+        raise_to(size, read.norm());
       }
     check_below("readings of other sectors", worst / size, 1e-10);
     Eigen::MatrixXd summed = Eigen::MatrixXd::Zero(3, n);

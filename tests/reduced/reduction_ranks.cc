@@ -32,8 +32,7 @@ namespace
     bool   equal = true;
     for (std::size_t d = 0; d < one.residual.size(); ++d)
       {
-        worst =
-          largest_of(worst, (one.residual[d] - two.residual[d]).norm() / one.residual[3].norm());
+        raise_to(worst, (one.residual[d] - two.residual[d]).norm() / one.residual[3].norm());
         // All ranks have the same bytes.
         double sum = two.residual[d].sum();
         equal      = equal && world.max(sum) == sum;

@@ -96,9 +96,8 @@ namespace
                    find_boundary_faces(body, {facet.begin(), facet.end()}))
                 for (const auto &[points, X] : points_of_face(sector, sector.parts()[0], face))
                   for (Eigen::Index i = 0; i < X.cols(); ++i)
-                    off_arc =
-                      largest_of(off_arc,
-                                 std::abs((meridian_place(X.col(i)) - centre).norm() - radius));
+                    raise_to(off_arc,
+                             std::abs((meridian_place(X.col(i)) - centre).norm() - radius));
             }
         check(fillet.side() + ": facets are seen from outside", inward > .9);
         check_below(fillet.side() + ": points of quadratic elements off the arc [mm]",
@@ -124,7 +123,7 @@ namespace
       {
         const PrincipalStresses stress =
           compute_principal_stresses(compute_surface_stress(values.segment<3>(k), Material()));
-        found.tension     = largest_of(found.tension, stress.first);
+        raise_to(found.tension, stress.first);
         found.compression = -largest_of(-found.compression, -stress.third);
       }
     return found;

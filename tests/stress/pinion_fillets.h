@@ -65,7 +65,7 @@ inline RootStresses find_largest(const std::deque<vfife::MemberFillet> &fillets,
           const PrincipalStresses stress =
             compute_principal_stresses(compute_surface_stress(strains.facet(member, column, row, 0),
                                                               member.fillet.material()));
-          found.tension     = largest_of(found.tension, stress.first);
+          raise_to(found.tension, stress.first);
           found.compression = -largest_of(-found.compression, -stress.third);
         }
   return found;

@@ -43,13 +43,12 @@ namespace
             X.col(k)        = model.bodies[0].node_positions()[facet[k]];
             u.col(k)        = Eigen::Map<const Vector3>(result.displacements.data() + 3 * facet[k]);
             const Stress &s = nodal[facet[k]];
-            factors.nodes =
-              largest_of(factors.nodes,
-                         compute_principal_stresses(SurfaceTensor(s[0], s[1], s[3])).first);
+            raise_to(factors.nodes,
+                     compute_principal_stresses(SurfaceTensor(s[0], s[1], s[3])).first);
           }
         const SurfaceTensor stress = compute_surface_stress(FacetStrain(X).of_displacements(u),
                                                             model.bodies[0].materials().front());
-        factors.surface = largest_of(factors.surface, compute_principal_stresses(stress).first);
+        raise_to(factors.surface, compute_principal_stresses(stress).first);
       }
     return factors;
   }

@@ -58,7 +58,7 @@ namespace
               {
                 const PrincipalStresses stress = compute_principal_stresses(
                   compute_surface_stress(values.segment<3>(at), member.fillet.material()));
-                tension     = largest_of(tension, stress.first);
+                raise_to(tension, stress.first);
                 compression = std::min(compression, stress.third);
               }
           if (2 * column + 2 < member.fillet.n_columns() || 2 * column > member.fillet.n_columns())
@@ -83,7 +83,7 @@ namespace
         double traction = 0.;
         for (const auto &[point, weight] : reading)
           traction += growth * weight.dot(sector.points()[point]);
-        largest = largest_of(largest, std::abs(traction / pressure - 1.));
+        raise_to(largest, std::abs(traction / pressure - 1.));
       }
     check_below("traction of even growth, relative error", largest, 1e-9);
   }
@@ -107,8 +107,7 @@ namespace
       });
     double wrong = 0.;
     for (Eigen::Index k = 0; k < values.size(); k += 3)
-      wrong =
-        largest_of(wrong, (values.segment<3>(k) - SurfaceTensor(expansion, expansion, 0.)).norm());
+      raise_to(wrong, (values.segment<3>(k) - SurfaceTensor(expansion, expansion, 0.)).norm());
     check_below("strain of free thermal expansion, relative error", wrong / expansion, 1e-9);
   }
 
@@ -166,7 +165,7 @@ int main(int argc, char **argv)
       // As many points of each facet.
       if (stress.first > found.tension)
         left = values[strains.size() + k * tractions.size() / strains.size()];
-      found.tension     = largest_of(found.tension, stress.first);
+      raise_to(found.tension, stress.first);
       found.compression = -largest_of(-found.compression, -stress.third);
     }
 

@@ -118,7 +118,7 @@ subsection Model
         for (std::size_t i = 0; i < way.size(); ++i)
           {
             const double swing = start == "undeformed" ? std::cos(omega * h["time"][i]) : 0.;
-            error              = largest_of(error, std::abs(way[i] + sag * (1 - swing)) / sag);
+            raise_to(error, std::abs(way[i] + sag * (1 - swing)) / sag);
           }
         // Central differences are faster by (omega dt)^2/24, 4e-5 of 16 rad; a run that starts out
         // of balance is half a step ahead (doc/theory/dynamics.md).

@@ -123,10 +123,10 @@ subsection Model
     double off = 0;
     // The way at the begin is a few units in the last place of a coordinate.
     for (std::size_t i = falling["time"].size() / 2; i < falling["time"].size(); ++i)
-      off = largest_of(off,
-                       std::abs(falling["work of the loads"][i] /
-                                  (-mass * 9810 * falling["corner displacement z"][i]) -
-                                1));
+      raise_to(off,
+               std::abs(falling["work of the loads"][i] /
+                          (-mass * 9810 * falling["corner displacement z"][i]) -
+                        1));
     check_below("falling: work of the weight less force times way, over it", off, 1e-8);
   }
 
@@ -147,10 +147,10 @@ subsection Model
         const double late = time[i] - wave, fall = gravity * time[i] * time[i] / 2;
         const double size = gravity * wave * wave;
         if (late < -0.1 * wave)
-          falling = largest_of(falling, std::abs(tip[i] - fall) / size);
+          raise_to(falling, std::abs(tip[i] - fall) / size);
         else if (late > 0)
-          pulled = largest_of(pulled, std::abs(tip[i] - fall + gravity * late * late) / size);
-        largest = largest_of(largest, tip[i]);
+          raise_to(pulled, std::abs(tip[i] - fall + gravity * late * late) / size);
+        raise_to(largest, tip[i]);
       }
     check("released: the whole way is seen", time.back() > 2.9 * wave);
     // Nothing has come from the foot yet, but the run is half a step ahead

@@ -147,8 +147,8 @@ namespace
     for (const std::string probe : {"ax displacement x", "ay displacement y"})
       for (std::size_t i = 0; i < one[probe].size(); ++i)
         {
-          largest    = largest_of(largest, std::abs(other[probe][i]));
-          difference = largest_of(difference, std::abs(one[probe][i] - other[probe].at(i)));
+          raise_to(largest, std::abs(other[probe][i]));
+          raise_to(difference, std::abs(one[probe][i] - other[probe].at(i)));
         }
     check("run: the ring swings beyond its static growth", largest > grown);
     check_below("run: quarter less whole ring over the largest displacement",
@@ -177,7 +177,7 @@ namespace
         double nearest = 1;
         for (const double of_ring : other)
           nearest = std::min(nearest, std::abs(of_ring / frequency - 1));
-        worst = largest_of(worst, nearest);
+        raise_to(worst, nearest);
       }
     check("modes of the quarter", one.size() == 6);
     check_below("modes: the quarter's among the whole ring's, relative", worst, 1e-7);

@@ -141,7 +141,7 @@ namespace
                          .5 * (run["top displacement y"][i] + run["bottom displacement y"][i]));
             double &largest = time[i] < 2.2e-3 ? first : amplitude;
             if (time[i] < 2.2e-3 || time[i] > 5.8e-3)
-              largest = largest_of(largest, way);
+              raise_to(largest, way);
           }
         check_ratio("shaft at " + speed + " rad/s: amplitude times exp(zeta t/2), end over begin",
                     amplitude / first,

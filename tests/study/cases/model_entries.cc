@@ -307,8 +307,8 @@ subsection Dynamics
     for (std::size_t i = 0; i < exact.at("time").size(); ++i)
       {
         const double energy = exact.at("strain energy")[i];
-        largest             = largest_of(largest, energy);
-        difference = largest_of(difference, std::abs(energy - rough.at("strain energy")[i]));
+        raise_to(largest, energy);
+        raise_to(difference, std::abs(energy - rough.at("strain energy")[i]));
       }
     // 24 bits of the hourglass stiffness, which carries part of this motion.
     check_below("stiffness data: difference of single precision", difference / largest, 1e-7);

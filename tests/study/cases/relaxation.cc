@@ -65,10 +65,10 @@ namespace
       {
         const std::uint32_t             node = state.partition->global_node[i];
         const Eigen::Map<const Vector3> expected(reference.data() + 3 * node);
-        difference = largest_of(
+        raise_to(
           difference,
           (state.node_position(i) - model.bodies.front().node_positions()[node] - expected).norm());
-        largest = largest_of(largest, expected.norm());
+        raise_to(largest, expected.norm());
       }
     return communicator.max(difference) / communicator.max(largest);
   }

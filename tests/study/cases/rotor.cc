@@ -43,7 +43,7 @@ namespace
     check("hollow shaft: sets", tube.has_node_set("bore") && !tube.has_node_set("axis"));
     double farthest = 0;
     for (const unsigned int node : tube.node_set("bore"))
-      farthest = largest_of(farthest, tube.node_positions()[node].head<2>().norm());
+      raise_to(farthest, tube.node_positions()[node].head<2>().norm());
     check("hollow shaft: bore", farthest >= 4. && farthest < 4.2);
   }
 
@@ -227,7 +227,7 @@ namespace
         const double difference =
           std::abs(unequal.at("frequency")[i] - mean.at("frequency")[i]) / 300;
         double &largest = mean.at("speed")[i] > 0 ? at_speed : at_rest;
-        largest         = largest_of(largest, difference);
+        raise_to(largest, difference);
       }
     check_below("unequal bearings at speed: frequencies less those of the mean, over 300 Hz",
                 at_speed,
@@ -265,7 +265,7 @@ namespace
         const std::vector<double> &book    = at == 0 ? at_rest : turning;
         double                     largest = 0;
         for (std::size_t i = 0; i < book.size(); ++i)
-          largest = largest_of(largest, std::abs(rates.at(i) / book[i] - 1));
+          raise_to(largest, std::abs(rates.at(i) / book[i] - 1));
         check_below(name + " at " + std::to_string(std::lround(at)) +
                       " rpm: rates over the textbook's less one",
                     largest,

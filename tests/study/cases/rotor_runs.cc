@@ -108,10 +108,9 @@ namespace
           1.5 * height / 2 *
           (std::exp(Complex(0., forward * t)) - std::exp(Complex(0., backward * t))) /
           Complex(0., forward - backward);
-        tilt_error = largest_of(tilt_error, std::abs(tilt.back() - expected));
-        shift_error =
-          largest_of(shift_error,
-                     std::abs(shift.back() - Complex(0., 40. / omega * std::sin(omega * t))));
+        raise_to(tilt_error, std::abs(tilt.back() - expected));
+        raise_to(shift_error,
+                 std::abs(shift.back() - Complex(0., 40. / omega * std::sin(omega * t))));
       }
     check("whirl: to the end", time.back() > 7.9e-3);
     // Elastic deformation of the cylinder is some 1e-3 of its motion on the bearings.
@@ -157,10 +156,9 @@ namespace
     double       error = 0;
     const auto  &time  = run.at("time");
     for (std::size_t i = 0; i < time.size(); ++i)
-      error =
-        largest_of(error,
-                   std::abs(run.at("top displacement y")[i] -
-                            40. / omega * std::exp(-decay * time[i]) * std::sin(omega * time[i])));
+      raise_to(error,
+               std::abs(run.at("top displacement y")[i] -
+                        40. / omega * std::exp(-decay * time[i]) * std::sin(omega * time[i])));
     check_below("damped: way less the closed form, over its amplitude",
                 error / (40. / omega),
                 0.02);
@@ -269,7 +267,7 @@ namespace
                 for (const char *name : {"left", "right", "drive"})
                   sum += run.at(std::string(name) + " reaction " + of + " " + axis)[i];
                 impulse += (time[i + 1] - time[i]) * sum;
-                off   = largest_of(off, std::abs(P[i + 1] - P[0] - impulse));
+                raise_to(off, std::abs(P[i + 1] - P[0] - impulse));
                 scale = std::max(scale, std::abs(P[i + 1] - P[0]));
               }
           }
@@ -360,8 +358,8 @@ namespace
         if (i == 0)
           at_start = energy;
         of_law.push_back(q[0]);
-        error        = largest_of(error, std::abs(ways[i] - q[0]));
-        work_error   = largest_of(work_error, std::abs(drive[i] - (energy - at_start)));
+        raise_to(error, std::abs(ways[i] - q[0]));
+        raise_to(work_error, std::abs(drive[i] - (energy - at_start)));
         largest_work = std::max(largest_work, std::abs(energy - at_start));
       }
     const double range = *std::max_element(of_law.begin(), of_law.end()) -

@@ -115,8 +115,7 @@ subsection Model
     const auto  &time = swinging["time"], &way = swinging["corner displacement y"];
     double       deviation = 0;
     for (std::size_t i = 0; i < time.size(); ++i)
-      deviation =
-        largest_of(deviation, std::abs(way[i] + sag - 30 / omega * std::sin(omega * time[i])));
+      raise_to(deviation, std::abs(way[i] + sag - 30 / omega * std::sin(omega * time[i])));
     // Central differences are faster by (omega dt)^2/24, dt below 1 us: 4e-5 of 16 rad.
     check_below("preload: swing about the sag, from the initial velocity, over v/omega",
                 deviation / (30 / omega),

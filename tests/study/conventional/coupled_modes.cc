@@ -110,14 +110,14 @@ namespace
         double nearest = 1;
         for (const CoupledMode &mode : modes.standing)
           nearest = std::min(nearest, std::abs(mode.frequency / in_space - 1));
-        largest = largest_of(largest, nearest);
+        raise_to(largest, nearest);
         ++compared;
       }
     check("waves were compared", compared >= 4);
     // All turn is that of the hub against the weak tie: one motion that is no wave of the body.
     double turn = 0;
     for (const CoupledMode &mode : modes.standing)
-      turn = largest_of(turn, mode.share_of_turn);
+      raise_to(turn, mode.share_of_turn);
     check_ratio("the static turn is the hub's against the contact", turn, 1e-3);
     // Derivatives over 79 sectors, two waves: (2 h)^4/30 = 2e-5; the basis of 28 modes; the weak
     // tie.
@@ -163,9 +163,8 @@ namespace
         double largest = 0;
         for (const VtuFile *file : {&gear, &pinion})
           for (std::size_t i = 0; i < file->n_points(); ++i)
-            largest =
-              largest_of(largest,
-                         file->vector(file->find("mode " + std::to_string(k) + ","), i).norm());
+            raise_to(largest,
+                     file->vector(file->find("mode " + std::to_string(k) + ","), i).norm());
         check("shapes of at most 1 mm", largest > .1 && largest < 1 + 1e-6);
       }
   }

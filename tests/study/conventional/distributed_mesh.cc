@@ -51,7 +51,7 @@ namespace
     double worst = 0, largest = 0;
     for (std::size_t i = 0; i < two.n_rows(); ++i)
       {
-        worst   = largest_of(worst, std::abs(one.numbers(column)[i] - two.numbers(column)[i]));
+        raise_to(worst, std::abs(one.numbers(column)[i] - two.numbers(column)[i]));
         largest = std::max(largest, std::abs(two.numbers(column)[i]));
       }
     return worst / largest;

@@ -62,11 +62,10 @@ namespace
         double deviation = 0, residual = 0;
         for (unsigned int k = 0; k < 4; ++k)
           {
-            deviation =
-              largest_of(deviation,
-                         std::abs(
-                           modes.numbers("frequency")[k] / reference.numbers("frequency")[k] - 1));
-            residual = largest_of(residual, modes.numbers("residual")[k]);
+            raise_to(deviation,
+                     std::abs(modes.numbers("frequency")[k] / reference.numbers("frequency")[k] -
+                              1));
+            raise_to(residual, modes.numbers("residual")[k]);
           }
         check_below("eigenvalue solver: frequencies by LOBPCG", deviation, 1e-9);
         if (fine)

@@ -70,9 +70,8 @@ int main(int argc, char **argv)
         double     wrong  = 0;
         const auto strain = faces.of(grown);
         for_facets(stress, [&](const MemberFillet &member, unsigned c, unsigned r, unsigned tooth) {
-          wrong =
-            largest_of(wrong,
-                       (strain.facet(member, c, r, tooth) - SurfaceTensor(1e-3, 1e-3, 0.)).norm());
+          raise_to(wrong,
+                   (strain.facet(member, c, r, tooth) - SurfaceTensor(1e-3, 1e-3, 0.)).norm());
         });
         check_below(name + ": growth and rotation", wrong, 1e-15);
 
@@ -82,7 +81,7 @@ int main(int argc, char **argv)
         const auto        rest = warm_faces.of(grown);
         double            left = 0;
         for_facets(warm_stress, [&](const auto &member, unsigned c, unsigned r, unsigned tooth) {
-          left = largest_of(left, rest.facet(member, c, r, tooth).norm());
+          raise_to(left, rest.facet(member, c, r, tooth).norm());
         });
         check_below(name + ": free thermal expansion", left, 1e-15);
 
@@ -100,7 +99,7 @@ int main(int argc, char **argv)
           });
         double apart = 0;
         for_facets(stress, [&](const MemberFillet &member, unsigned c, unsigned r, unsigned tooth) {
-          apart = largest_of(
+          raise_to(
             apart,
             (by_faces.facet(member, c, r, tooth) - by_nodes.facet(member, c, r, tooth)).norm());
         });

@@ -33,8 +33,7 @@ namespace
       double largest = 0;
       for (std::size_t i = 0; i < std::min(soft.n_rows(), hard.n_rows()); ++i)
         if (hard.numbers("share of torque")[i] > .1)
-          largest =
-            largest_of(largest, std::abs(soft.numbers(column)[i] / hard.numbers(column)[i] - 1.));
+          raise_to(largest, std::abs(soft.numbers(column)[i] / hard.numbers(column)[i] - 1.));
       return largest;
     };
     // Measured 5e-5, with quadratic elements 2e-4: gaps are linear in the displacements, but for

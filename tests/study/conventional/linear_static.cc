@@ -88,10 +88,10 @@ subsection Model
     double displacement = 0, stress = 0, mises = 0, principal = 0;
     for (std::size_t i = 0; i < fields.n_points(); ++i)
       {
-        const Vector3 x  = fields.point(i), u(-k * x[0] * (x[2] - 5), 0., k * x[0] * x[0] / 2);
-        displacement     = largest_of(displacement, (fields.vector("displacement", i) - u).norm());
-        const double s   = -E * k * (x[2] - 5);
-        mises            = largest_of(mises, std::abs(fields.number("von mises", i) - std::abs(s)));
+        const Vector3 x = fields.point(i), u(-k * x[0] * (x[2] - 5), 0., k * x[0] * x[0] / 2);
+        raise_to(displacement, (fields.vector("displacement", i) - u).norm());
+        const double s = -E * k * (x[2] - 5);
+        raise_to(mises, std::abs(fields.number("von mises", i) - std::abs(s)));
         principal        = largest_of({principal,
                                        std::abs(fields.number("principal stress 1", i) - std::max(s, 0.)),
                                        std::abs(fields.number("principal stress 2", i)),
@@ -213,8 +213,7 @@ subsection Model
     // Points of a file are the nodes.
     double places = 0;
     for (unsigned int n = 0; n < gear.n_nodes(); ++n)
-      places =
-        largest_of(places, (fields.point(n) - gear.placement(gear.node_positions()[n])).norm());
+      raise_to(places, (fields.point(n) - gear.placement(gear.node_positions()[n])).norm());
     check_below("pair: places of the nodes [mm]", places, 2e-5);
 
     // The load grows with the displacement: the energy is half of sum m Omega^2 r . u.
@@ -233,8 +232,8 @@ subsection Model
     double displacement = 0, mises = 0;
     for (std::size_t i = 0; i < fields.n_points(); ++i)
       {
-        displacement = largest_of(displacement, fields.vector("displacement", i).norm());
-        mises        = largest_of(mises, fields.number("von mises", i));
+        raise_to(displacement, fields.vector("displacement", i).norm());
+        raise_to(mises, fields.number("von mises", i));
       }
     check_ratio("pair: largest displacement [um]",
                 read_figure("linear_pair/summary.json", "/figures/largest displacement") /
@@ -260,20 +259,16 @@ subsection Model
               names[p] == probe.name && probe.body == model.only_transmission()->driven);
         for (unsigned int c = 0; c < 3; ++c)
           {
-            of_displacement =
-              largest_of(of_displacement,
-                         std::abs(probes.numbers(std::string("displacement ") + along[c])[p] -
-                                  1e3 * axes[c].dot(fields.vector("displacement", i))));
+            raise_to(of_displacement,
+                     std::abs(probes.numbers(std::string("displacement ") + along[c])[p] -
+                              1e3 * axes[c].dot(fields.vector("displacement", i))));
             for (const std::string &stress :
                  {std::string("stress ") + along[c],
                   std::string("stress ") + along[c] + " " + along[(c + 1) % 3]})
-              of_stress =
-                largest_of(of_stress,
-                           std::abs(probes.numbers(stress)[p] - fields.number(stress, i)));
+              raise_to(of_stress, std::abs(probes.numbers(stress)[p] - fields.number(stress, i)));
           }
-        of_stress =
-          largest_of(of_stress,
-                     std::abs(probes.numbers("von mises")[p] - fields.number("von mises", i)));
+        raise_to(of_stress,
+                 std::abs(probes.numbers("von mises")[p] - fields.number("von mises", i)));
       }
     // Single precision of some 50 um and 300 MPa.
     check_below("probes and fields: displacement [um]", of_displacement, 1e-5);

@@ -44,10 +44,8 @@ namespace
               torque += own;
               force += teeth.numbers("force")[row];
               share += teeth.numbers("share of torque")[row];
-              shares_apart =
-                largest_of(shares_apart,
-                           std::abs(teeth.numbers("share of torque")[row] - own / 800));
-              pressure = largest_of(pressure, teeth.numbers("largest pressure")[row]);
+              raise_to(shares_apart, std::abs(teeth.numbers("share of torque")[row] - own / 800));
+              raise_to(pressure, teeth.numbers("largest pressure")[row]);
               ++n;
               // Single points carry on this mesh; fading edges push a little aside.
               check("teeth: the mean pressure is at most the largest",

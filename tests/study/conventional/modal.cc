@@ -49,7 +49,7 @@ subsection Fem
                      speed = resonances.numbers("speed")[i], f = resonances.numbers("frequency")[i];
         const bool   with = resonances.column("wave").texts[i] == "forward";
         const double k    = m * teeth + (with ? -n : n);
-        of_force          = largest_of(of_force, std::abs(k * speed / 60 / f - 1));
+        raise_to(of_force, std::abs(k * speed / 60 / f - 1));
         std::vector<double> speeds, frequencies;
         for (std::size_t j = 0; j < campbell.n_rows(); ++j)
           if (campbell.numbers("nodal diameter")[j] == n &&
@@ -62,9 +62,8 @@ subsection Fem
           continue;
         ++found;
         const double part = (speed - speeds[0]) / (speeds[1] - speeds[0]);
-        of_branch =
-          largest_of(of_branch,
-                     std::abs((frequencies[0] + part * (frequencies[1] - frequencies[0])) / f - 1));
+        raise_to(of_branch,
+                 std::abs((frequencies[0] + part * (frequencies[1] - frequencies[0])) / f - 1));
       }
     check("crossings are there", found == resonances.n_rows() && found > 0);
     check_below("crossings: multiple of the speed", of_force, 1e-12);
@@ -87,12 +86,12 @@ subsection Fem
           for (std::size_t i = 0; i < 8 * shapes.n_cells(); ++i)
             {
               const Vector3 u = shapes.vector(name, shapes.corner(i / 8, i % 8));
-              largest         = largest_of(largest, u.norm());
+              raise_to(largest, u.norm());
               axial += u[2] * u[2];
               all += u.squaredNorm();
             }
-          scale  = largest_of(scale, std::abs(largest - 1));
-          shares = largest_of(shares, std::abs(axial / all - modes.numbers("axial")[row]));
+          raise_to(scale, std::abs(largest - 1));
+          raise_to(shares, std::abs(axial / all - modes.numbers("axial")[row]));
         }
     check("shapes of all modes", shapes.n_arrays() == k && k == 9);
     check_below("shapes: largest displacement is 1 mm", scale, 1e-6);
@@ -125,10 +124,10 @@ subsection Fem
     for (std::size_t i = 0; i < modes.n_rows(); ++i)
       {
         // A sector's mode has one diameter; its motion has three parts.
-        of_one   = largest_of(of_one, std::abs(modes.numbers("share of the diameter")[i] - 1));
-        of_parts = largest_of(of_parts,
-                              std::abs(modes.numbers("axial")[i] + modes.numbers("radial")[i] +
-                                       modes.numbers("tangential")[i] - 1));
+        of_one = largest_of(of_one, std::abs(modes.numbers("share of the diameter")[i] - 1));
+        raise_to(of_parts,
+                 std::abs(modes.numbers("axial")[i] + modes.numbers("radial")[i] +
+                          modes.numbers("tangential")[i] - 1));
       }
     check_below("share of the diameter", of_one, 1e-9);
     check_below("sum of the shares of motion", of_parts, 1e-12);
@@ -205,10 +204,10 @@ subsection Fem
     double difference = 0, inertia = 0;
     for (std::size_t k = 0; k < found.size(); ++k)
       {
-        difference = largest_of(difference, std::abs(found[k] - expected[k]) / expected.back());
-        inertia    = largest_of(inertia,
-                             std::abs(sectors.numbers("effective inertia z")[k] -
-                                      whole.numbers("effective inertia z")[k]));
+        raise_to(difference, std::abs(found[k] - expected[k]) / expected.back());
+        raise_to(inertia,
+                 std::abs(sectors.numbers("effective inertia z")[k] -
+                          whole.numbers("effective inertia z")[k]));
       }
     check_below("sectors: frequencies", difference, 1e-6);
     check_below("sectors: effective inertia about the axis, over that of the body",

@@ -61,9 +61,9 @@ namespace
         for (std::size_t i = 0; i < envelope.n_rows(); ++i)
           if (envelope.column("body").texts[i] == body)
             {
-              tension     = largest_of(tension, envelope.numbers("tension")[i]);
+              raise_to(tension, envelope.numbers("tension")[i]);
               compression = -largest_of(-compression, -envelope.numbers("compression")[i]);
-              range       = largest_of(range, envelope.numbers("range")[i]);
+              raise_to(range, envelope.numbers("range")[i]);
             }
         check(name + ": envelope as rows",
               tension == rows.tension && compression == rows.compression);
@@ -194,9 +194,8 @@ namespace
                 run.column("fillet").texts[n] == still.column("fillet").texts[n]);
         for (const char *stress : {"tension", "compression"})
           {
-            largest = largest_of(largest, std::abs(still.numbers(stress)[n]));
-            difference =
-              largest_of(difference, std::abs(run.numbers(stress)[n] - still.numbers(stress)[n]));
+            raise_to(largest, std::abs(still.numbers(stress)[n]));
+            raise_to(difference, std::abs(run.numbers(stress)[n] - still.numbers(stress)[n]));
           }
       }
     // Linear statics against large displacements: squares of the strains and the turn of the rim.

@@ -101,7 +101,7 @@ namespace
             for (std::size_t i = 0; i < modes.at("speed").size(); ++i)
               if (std::abs(modes.at("speed")[i] * pi / 30 - spin) < 1e-4 * critical)
                 {
-                  residual = largest_of(residual, modes.at("residual")[i]);
+                  raise_to(residual, modes.at("residual")[i]);
                   n_rigid += modes.at("frequency")[i] == 0;
                   if (modes.at("nodal diameter")[i] == 1 &&
                       modes.at("fixed frequency")[i] < 10 * critical)
@@ -115,7 +115,7 @@ namespace
             // At rest the turn is listed too: nothing holds it.
             same = same && found.size() == 4 && n_rigid == (part == 0 ? 1 : 0);
             for (std::size_t i = 0; i < std::min(found.size(), expected.size()); ++i)
-              largest = largest_of(largest, std::abs(found[i] - expected[i]) / critical);
+              raise_to(largest, std::abs(found[i] - expected[i]) / critical);
           }
         check(name + ": four whirls at each speed, one motion that nothing holds", same);
         check_below(name + ": rates less those of the rigid rotor, over the critical speed",
@@ -134,8 +134,8 @@ namespace
               branches.column("direction").texts[i] == "forward")
             {
               ++n_points;
-              bent = largest_of(
-                bent, std::abs(2 * pi * branches.numbers("fixed frequency")[i] / critical - 1));
+              raise_to(bent,
+                       std::abs(2 * pi * branches.numbers("fixed frequency")[i] / critical - 1));
             }
         check(name + ": the branch of the forward whirl is there at each speed",
               n_points == parts.size() - 1);
@@ -174,9 +174,9 @@ namespace
     double        residual = 0, apart = 0;
     for (const Columns *modes : {&few, &many})
       for (const double value : modes->at("residual"))
-        residual = largest_of(residual, value);
+        raise_to(residual, value);
     for (std::size_t i = 0; i < few.at("frequency").size(); ++i)
-      apart = largest_of(apart, std::abs(many.at("frequency")[i] / few.at("frequency")[i] - 1));
+      raise_to(apart, std::abs(many.at("frequency")[i] / few.at("frequency")[i] - 1));
     check_below("6 and 40 modes: residuals", residual, 1e-4);
     check_below("6 and 40 modes: frequencies of the first five apart", apart, 1e-6);
   }

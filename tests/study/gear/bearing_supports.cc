@@ -88,7 +88,7 @@ namespace
     std::sort(expected.begin(), expected.end());
     double difference = std::abs(double(found.size()) - 5.);
     for (std::size_t k = 0; k < 5; ++k)
-      difference = largest_of(difference, std::abs(found.at(k) / expected[k] - 1.));
+      raise_to(difference, std::abs(found.at(k) / expected[k] - 1.));
     check_below("natural rates of a ring between two bearings", difference, 1e-9);
     for (std::size_t k = 0; k < 5; ++k)
       if (std::abs(found[k] / shift - 1) < 1e-6)
@@ -130,7 +130,7 @@ namespace
                  own     = find_bearing_supports(make_pair({{b == 0, b == 1}}, axial));
       double difference  = 0;
       for (std::size_t k = 0; k < 5; ++k)
-        difference = largest_of(difference, std::abs(swapped[k].lever + own[k].lever));
+        raise_to(difference, std::abs(swapped[k].lever + own[k].lever));
       return difference;
     };
     check_below("driver and driven: opposite levers", opposite(0) + opposite(1), 1e-12);

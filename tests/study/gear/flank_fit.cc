@@ -18,7 +18,7 @@ namespace
     double most = one.n_rows() == two.n_rows() ? 0. : 1e9;
     for (std::size_t i = 0; i < one.n_rows(); ++i)
       for (const char *axis : {"x", "y", "z"})
-        most = largest_of(most, std::abs(one.numbers(axis)[i] - two.numbers(axis)[i]));
+        raise_to(most, std::abs(one.numbers(axis)[i] - two.numbers(axis)[i]));
     return most;
   }
 } // namespace

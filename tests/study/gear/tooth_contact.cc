@@ -95,10 +95,10 @@ namespace
     for (std::size_t i = 0; i < angle.size(); ++i)
       {
         const double p = (static_cast<double>(i) - 20) / 20;
-        places         = largest_of(places, std::abs(angle[i] - p * 360. / 27));
+        raise_to(places, std::abs(angle[i] - p * 360. / 27));
         const double carried =
           std::min({reference_lag(p - 1), reference_lag(p), reference_lag(p + 1)});
-        errors = largest_of(errors, std::abs(error[i] + carried));
+        raise_to(errors, std::abs(error[i] + carried));
       }
     check_below("transmission: angles [deg]", places, 1e-12);
     check_below("transmission: the gear lags [arcsec]", errors, .01);
@@ -122,7 +122,7 @@ namespace
     double lag = 0, cones = 0, axes = 0, places = 0;
     for (const std::size_t i : rows)
       {
-        lag = largest_of(lag, std::abs(number("lag", i) - reference_lag(number("pitches", i))));
+        raise_to(lag, std::abs(number("lag", i) - reference_lag(number("pitches", i))));
         // Places in the blank and on the cone say the same: L along the pitch cone, h above it.
         for (const std::string member : {"pinion", "gear"})
           {
@@ -139,13 +139,13 @@ namespace
             for (const std::string axis : {"major", "minor"})
               {
                 const double semi = number(axis == "major" ? "semi-axis a" : "semi-axis b", i);
-                axes              = largest_of(axes,
-                                  std::hypot(number(member + " " + axis + " L", i),
-                                             number(member + " " + axis + " h", i)) /
-                                    semi);
+                raise_to(axes,
+                         std::hypot(number(member + " " + axis + " L", i),
+                                    number(member + " " + axis + " h", i)) /
+                           semi);
               }
           }
-        places = largest_of(
+        raise_to(
           places,
           std::abs(number("smaller relative curvature", i) * std::pow(number("semi-axis a", i), 2) -
                    number("larger relative curvature", i) * std::pow(number("semi-axis b", i), 2)) /

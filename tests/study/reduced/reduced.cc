@@ -78,7 +78,7 @@ namespace
         for (std::size_t i = 0; i < probes.at(column).size(); ++i)
           {
             difference += std::abs(same.at(column)[i] - probes.at(column)[i]);
-            largest = largest_of(largest, std::abs(probes.at(over)[i]));
+            raise_to(largest, std::abs(probes.at(over)[i]));
           }
         check_below(std::string("probes: ") + column,
                     difference / probes.at(column).size() / largest,
@@ -91,8 +91,8 @@ namespace
         double difference = 0, largest = 0;
         for (std::size_t i = 0; i < rim.at(column).size(); ++i)
           {
-            difference = largest_of(difference, std::abs(waves.at(column)[i] - rim.at(column)[i]));
-            largest    = largest_of(largest, std::abs(rim.at("z cos 1")[i]));
+            raise_to(difference, std::abs(waves.at(column)[i] - rim.at(column)[i]));
+            raise_to(largest, std::abs(rim.at("z cos 1")[i]));
           }
         check_below(std::string("rim: ") + column, difference / largest, 3e-2);
       }
@@ -131,9 +131,8 @@ namespace
     double                    worst    = 0;
     for (std::size_t i = 0; i < 4; ++i)
       {
-        worst = largest_of(worst, std::abs(response.at("speed")[i] / expected[i] - 1.));
-        worst =
-          largest_of(worst, std::abs(response.at("mesh frequency")[i] / (expected[i] / 6.) - 1.));
+        raise_to(worst, std::abs(response.at("speed")[i] / expected[i] - 1.));
+        raise_to(worst, std::abs(response.at("mesh frequency")[i] / (expected[i] / 6.) - 1.));
       }
     check_below("speeds in their order", worst, 1e-12);
     // What is left of the swing when speeds change, here after 1.3 ms.
@@ -370,10 +369,10 @@ namespace
               double difference = 0, largest = 1e-12;
               for (std::size_t i = 0; i < values.size(); ++i)
                 {
-                  difference = largest_of(difference, std::abs(values[i] - parts.at(name)[i]));
-                  largest    = std::max(largest, std::abs(values[i]));
+                  raise_to(difference, std::abs(values[i] - parts.at(name)[i]));
+                  largest = std::max(largest, std::abs(values[i]));
                 }
-              worst = largest_of(worst, difference / largest);
+              raise_to(worst, difference / largest);
             }
         check_below(std::string(table) + ": to round-off", worst, 1e-8);
       }

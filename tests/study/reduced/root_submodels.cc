@@ -31,7 +31,7 @@ namespace
     double found = 0.;
     for (const auto &[tooth, stress] : stresses)
       if (tooth.rfind(body, 0) == 0)
-        found = largest_of(found, stress.first);
+        raise_to(found, stress.first);
     return found;
   }
 
@@ -44,7 +44,7 @@ namespace
       if (table.column("body").texts[i] == body)
         {
           double &known = largest[table.columns().front().numbers[i]];
-          known         = largest_of(known, table.numbers("tension")[i]);
+          raise_to(known, table.numbers("tension")[i]);
         }
     double sum = 0.;
     for (const auto &one : largest)
@@ -58,9 +58,9 @@ namespace
     double found = 0.;
     for (const auto &[tooth, stress] : a)
       if (const auto other = b.find(tooth); other != b.end())
-        found = largest_of(found,
-                           std::max(std::abs(stress.first - other->second.first),
-                                    std::abs(stress.second - other->second.second)));
+        raise_to(found,
+                 std::max(std::abs(stress.first - other->second.first),
+                          std::abs(stress.second - other->second.second)));
     return found / std::max(largest_tension(b, "pinion"), largest_tension(b, "gear"));
   }
 

@@ -116,7 +116,7 @@ namespace
       for (std::size_t i = 0; i < left.size(); ++i)
         {
           squares += left[i] * left[i];
-          worst = largest_of(worst, std::abs(left[i] - value(i + filter.reach())));
+          raise_to(worst, std::abs(left[i] - value(i + filter.reach())));
         }
       return std::make_pair(std::sqrt(2. * squares / left.size()), worst);
     };
@@ -128,7 +128,7 @@ namespace
     const std::vector<double> line  = pass(filter, 100, [](const int i) { return 7. + 3. * i; });
     double                    worst = 0;
     for (std::size_t i = 0; i < line.size(); ++i)
-      worst = largest_of(worst, std::abs(line[i] - (7. + 3. * (i + 30.))));
+      raise_to(worst, std::abs(line[i] - (7. + 3. * (i + 30.))));
     check("samples with enough of them around", line.size() == 40);
     check_below("a straight line as it is", worst, 1e-11);
     check("all of few samples", pass(LowPass(.5), 3, [](const int i) {
@@ -154,8 +154,8 @@ namespace
     double worst = 0;
     for (const double at : {-5.25, -1., 0., .5, 1., 2.375, 7.1})
       {
-        worst = largest_of(worst, (mesh.at(at) - pulse(at)).norm());
-        worst = largest_of(worst, (backwards.at(at) - pulse(-at)).norm());
+        raise_to(worst, (mesh.at(at) - pulse(at)).norm());
+        raise_to(worst, (backwards.at(at) - pulse(-at)).norm());
       }
     check_below("a pulse passes the sectors", worst, 1e-4);
   }

@@ -172,11 +172,10 @@ end
         {
           ++umbrellas;
           no_direction = no_direction && lines.column("wave").texts[k] == "-";
-          worst        = largest_of(worst,
-                             std::abs(lines.numbers("frequency")[k] /
-                                        (lines.numbers("mesh order")[k] * 27 *
-                                         lines.numbers("speed")[k] / 60) -
-                                      1.));
+          raise_to(worst,
+                   std::abs(lines.numbers("frequency")[k] / (lines.numbers("mesh order")[k] * 27 *
+                                                             lines.numbers("speed")[k] / 60) -
+                            1.));
         }
     check("an umbrella has no direction", umbrellas > 0 && no_direction);
     check_below("its frequency is that of the order at the free gear's speed", worst, 1e-9);

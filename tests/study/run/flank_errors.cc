@@ -87,7 +87,7 @@ namespace
     const auto plain = dte(0, "plain_run", world), ahead = dte(79, "ahead_run", world);
     double     off = plain.size() == ahead.size() ? 0. : 1e9;
     for (std::size_t i = 0; i < plain.size(); ++i)
-      off = largest_of(off, std::abs(ahead[i] - plain[i] - closed_form()));
+      raise_to(off, std::abs(ahead[i] - plain[i] - closed_form()));
     check_below("run: ahead by F/r at all times [arcsec]", off, .05);
   }
 } // namespace

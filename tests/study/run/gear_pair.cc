@@ -28,7 +28,7 @@ namespace
     check_close("driver's angle after it [deg]", pinion.back() - pinion.front(), 360. / 27, 1e-9);
     double wrong = 0;
     for (std::size_t i = 0; i < time.size(); ++i)
-      wrong = largest_of(wrong, std::abs(3600 * (gear[i] - 27. / 79 * pinion[i]) - dte[i]));
+      raise_to(wrong, std::abs(3600 * (gear[i] - 27. / 79 * pinion[i]) - dte[i]));
     // Round-off of 5 degrees in arcsec.
     check_below("gear angle less 27/79 of the pinion's, and dte [arcsec]", wrong, 1e-10);
   }
@@ -67,7 +67,7 @@ namespace
         unlike = largest_of({unlike,
                              std::abs(force[i] / columns["contact force total"][i] - 1),
                              std::abs(torque[i] / columns["contact torque on the gear"][i] - 1)});
-        off    = largest_of(off, std::abs(moment[i] / torque[i] - 1));
+        raise_to(off, std::abs(moment[i] / torque[i] - 1));
       }
     check("teeth in contact are those with a force", pairs == columns["teeth in contact"]);
     check_below("forces and torques of the teeth add up to those of the pair", unlike, 1e-9);

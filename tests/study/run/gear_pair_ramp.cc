@@ -111,7 +111,7 @@ int main(int argc, char **argv)
       const double middle = 0.5 * (time[i] + time[i - 1]);
       const double load   = 800e3 * std::min(1., middle / (0.5 * mesh_period)); // [N mm]
       expected -= load * (angle[i] - angle[i - 1]) * pi / 180;
-      wrong = largest_of(wrong, std::abs(work[i] - expected));
+      raise_to(wrong, std::abs(work[i] - expected));
     }
   // Between two samples the gear's rate changes by 1e-4.
   check_below("work of the torque against the drive over that of its ramp",

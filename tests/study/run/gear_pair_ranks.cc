@@ -63,7 +63,7 @@ namespace
         {
           const double reference = one_root.numbers(stress)[i];
           largest                = std::max(largest, std::abs(reference));
-          difference = largest_of(difference, std::abs(two_root.numbers(stress)[i] - reference));
+          raise_to(difference, std::abs(two_root.numbers(stress)[i] - reference));
         }
     check("root stresses at the start", largest > 100 && difference < 1e-6 * largest);
     // After 200 steps: as the histories.
@@ -80,10 +80,10 @@ namespace
             for (std::size_t i = 0; i < std::min(one_grid.n_rows(), two_grid.n_rows()); ++i)
               {
                 const double here = column.numbers[i], there = two_grid.numbers(column.name)[i];
-                most    = largest_of(most, std::abs(here));
-                differs = largest_of(differs, std::abs(there - here));
+                raise_to(most, std::abs(here));
+                raise_to(differs, std::abs(there - here));
               }
-            worst = largest_of(worst, differs / std::max(most, 1e-300));
+            raise_to(worst, differs / std::max(most, 1e-300));
           }
         if (shows)
           std::cerr << integration << ", " << name << ": ranks differ by " << worst << std::endl;

@@ -57,11 +57,11 @@ namespace
     for (const auto &[bearing, row] : loaded)
       {
         const auto &other = run.at(bearing);
-        forces = largest_of(forces, (force_of(bearing, row) - force_of(bearing, other)).norm());
-        scale  = std::max(scale, force_of(bearing, row).norm());
+        raise_to(forces, (force_of(bearing, row) - force_of(bearing, other)).norm());
+        scale = std::max(scale, force_of(bearing, row).norm());
         for (const char *c : {"displacement x", "displacement y", "displacement z"})
           {
-            ways      = largest_of(ways, std::abs(row.at(c) - other.at(c)));
+            raise_to(ways, std::abs(row.at(c) - other.at(c)));
             way_scale = std::max(way_scale, std::abs(row.at(c)));
           }
       }
@@ -74,8 +74,8 @@ namespace
     double largest = 0, difference = 0;
     for (const char *c : {"offset", "pinion axial shift", "gear axial shift"})
       {
-        largest    = std::max(largest, std::abs(of_analysis.at(c)[0]));
-        difference = largest_of(difference, std::abs(of_analysis.at(c)[0] - misalignment.at(c)[0]));
+        largest = std::max(largest, std::abs(of_analysis.at(c)[0]));
+        raise_to(difference, std::abs(of_analysis.at(c)[0] - misalignment.at(c)[0]));
       }
     check_below(name + ": misalignment, run less analysis, over its largest",
                 difference / largest,
@@ -179,13 +179,12 @@ namespace
       {
         double apart = 0;
         for (unsigned int i = 0; i < 2; ++i)
-          apart = largest_of(apart, std::abs(shafts.at(column)[i] / ideal.at(column)[i] - 1));
+          raise_to(apart, std::abs(shafts.at(column)[i] / ideal.at(column)[i] - 1));
         check_below(std::string("stiff limit: ") + column, apart, 1e-4);
       }
     double moved = 0;
     for (const char *column : {"offset", "pinion axial shift", "gear axial shift"})
-      moved =
-        largest_of(moved, std::abs(read_columns("stiff_shafts/misalignment.csv").at(column)[0]));
+      raise_to(moved, std::abs(read_columns("stiff_shafts/misalignment.csv").at(column)[0]));
     check_below("stiff limit: misalignment [um]", moved, 1e-3);
   }
 

@@ -52,7 +52,7 @@ namespace
   {
     double largest = 0;
     for (const auto &point : curve)
-      largest = largest_of(largest, point.second);
+      raise_to(largest, point.second);
     return largest;
   }
 
@@ -125,7 +125,7 @@ namespace
     const auto whole = curve_of("passage_parts/probes.csv", "node A front", "time");
     double     apart = 0, jump = 0;
     for (const auto &[time, stress] : first)
-      apart = largest_of(apart, std::abs(whole.at(time) - stress));
+      raise_to(apart, std::abs(whole.at(time) - stress));
     check("restart: same rows, then more", apart == 0 && whole.size() > 1.9 * first.size());
     // Of another sector the next sample would be several per cent apart.
     const auto after = whole.upper_bound(first.rbegin()->first);

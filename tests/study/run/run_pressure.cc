@@ -53,7 +53,7 @@ namespace
             teeth, column, "time", found.numbers("time")[i], found.numbers("pinion tooth")[i]);
         };
         const double force = rubs ? run("mean pressure") * run("area") : run("force");
-        worst              = largest_of(worst, std::abs(found.numbers("force")[i] / force - 1.));
+        raise_to(worst, std::abs(found.numbers("force")[i] / force - 1.));
       }
     if (verbose)
       std::cerr << folder << ": forces differ from the run's by " << worst << ", " << found.n_rows()
@@ -81,15 +81,15 @@ namespace
           return find(run, column, "position", 0., tooth);
         };
         const double penalty = find(teeth, "force", "position", 0., tooth);
-        force                = largest_of(force, std::abs(here("force") / penalty - 1.));
-        const double root    = std::cbrt(here("force") / loaded.numbers("force")[i]);
-        const auto   over    = [&](const std::string &column) {
+        raise_to(force, std::abs(here("force") / penalty - 1.));
+        const double root = std::cbrt(here("force") / loaded.numbers("force")[i]);
+        const auto   over = [&](const std::string &column) {
           return std::abs(here(column) / (root * loaded.numbers(column)[i]) - 1.);
         };
-        pressure = largest_of(pressure, over("largest pressure inside"));
+        raise_to(pressure, over("largest pressure inside"));
         // At edges the ellipse is cut off.
         if (loaded.numbers("on edge")[i] == 0)
-          length = largest_of(length, over("contact length"));
+          raise_to(length, over("contact length"));
       }
     if (verbose)
       std::cerr << folder << " beside the analysis: force " << force << ", pressure " << pressure

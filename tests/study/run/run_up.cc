@@ -33,16 +33,14 @@ namespace
     double      angle = 0, speed = 0, mesh = 0, interval = 0;
     for (std::size_t i = 0; i < time.size(); ++i)
       {
-        angle = largest_of(angle,
-                           std::abs(history.at("pinion angle")[i] - history.at("pinion angle")[0] -
-                                    turn_at(time[i])));
-        speed = largest_of(speed, std::abs(history.at("speed")[i] / speed_at(time[i]) - 1));
-        mesh =
-          largest_of(mesh,
-                     std::abs(history.at("mesh frequency")[i] / (speed_at(time[i]) * 27 / 60) - 1));
+        raise_to(angle,
+                 std::abs(history.at("pinion angle")[i] - history.at("pinion angle")[0] -
+                          turn_at(time[i])));
+        raise_to(speed, std::abs(history.at("speed")[i] / speed_at(time[i]) - 1));
+        raise_to(mesh,
+                 std::abs(history.at("mesh frequency")[i] / (speed_at(time[i]) * 27 / 60) - 1));
         if (i > 1)
-          interval =
-            largest_of(interval, std::abs((time[i] - time[i - 1]) / (time[1] - time[0]) - 1));
+          raise_to(interval, std::abs((time[i] - time[i - 1]) / (time[1] - time[0]) - 1));
       }
     check_below("angle of the pinion less the integral of its speed [deg]", angle, 1e-10);
     check_below("column speed", speed, 1e-13);

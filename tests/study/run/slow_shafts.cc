@@ -98,7 +98,7 @@ namespace
     double     apart = 0, largest = 0;
     for (const auto &[name, force] : of_analysis)
       {
-        apart   = largest_of(apart, (of_run.at(name) - force).norm());
+        raise_to(apart, (of_run.at(name) - force).norm());
         largest = std::max(largest, force.norm());
       }
     check("slow run: five bearings", of_run.size() == 5 && of_analysis.size() == 5);

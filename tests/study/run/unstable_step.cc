@@ -113,7 +113,7 @@ int main(int argc, char **argv)
   const auto &time = mended.history.at("time");
   double      gap  = 0;
   for (std::size_t i = 1; i < time.size(); ++i)
-    gap = largest_of(gap, std::abs((time[i] - time[i - 1]) / time[1] - 1));
+    raise_to(gap, std::abs((time[i] - time[i - 1]) / time[1] - 1));
   check("mended: all samples", time.size() == n_steps / sample_steps + 1);
   check_below("mended: samples at equal distances", gap, 1e-9);
   check_below("mended: energy error", largest_size(mended.history.at("energy error")), 1e-3);
