@@ -2,12 +2,13 @@
 #ifndef vfife_tests_composite_h
 #define vfife_tests_composite_h
 
+#include "model_parts.h"
+
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/mesh/primitives/primitives.h>
 #include <vfife/model/model.h>
 
 #include <functional>
-#include <numeric>
 
 /** Material 1 where @p second holds at the middle of an element, material 0 elsewhere. */
 inline vfife::Body make_composite(std::unique_ptr<vfife::BodyMesh>                   mesh,
@@ -32,27 +33,6 @@ inline void set_strains(vfife::Body                                         &bod
   for (unsigned int e = 0; e < body.n_elements(); ++e)
     strains.push_back(strain(body.element_nodes(e).rowwise().mean()));
   body.add_initial_strains(strains);
-}
-
-/** A constraint of the body 0 that holds the given directions. */
-inline vfife::Constraint hold(const std::vector<unsigned int> &nodes,
-                              const std::array<bool, 3>       &directions,
-                              const bool                       cylindrical = false)
-{
-  vfife::Constraint constraint;
-  constraint.name        = "support";
-  constraint.kind        = vfife::ConstraintKind::directions;
-  constraint.nodes       = nodes;
-  constraint.prescribed  = directions;
-  constraint.cylindrical = cylindrical;
-  return constraint;
-}
-
-inline std::vector<unsigned int> all_nodes(const vfife::Body &body)
-{
-  std::vector<unsigned int> nodes(body.n_nodes());
-  std::iota(nodes.begin(), nodes.end(), 0u);
-  return nodes;
 }
 
 /** A bar along x between two planes, hotter than them: sigma = -E strain. */

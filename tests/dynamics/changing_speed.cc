@@ -129,15 +129,10 @@ namespace
   /** A hub under a torque T (1 + t/t_1): I omega = I omega_0 + T (t + t^2/(2 t_1)). */
   void torque()
   {
-    Model  model = make_pair({});
-    Torque load;
-    load.body                    = 1;
-    load.nodes                   = model.bodies[1].node_set("inner");
-    load.areas                   = compute_nodal_areas(model.bodies[1], load.nodes);
+    Model                  model = make_pair({});
     const QuantityOverTime given = history_of("3 + 3e4*t", "N m");
-    load.value                   = given.start;
-    load.history                 = given.factor;
-    model.torques.push_back(load);
+    model.torques.push_back(torque_on(model, "inner", given.start, 1));
+    model.torques.back().history = given.factor;
     OneSolver run(model, undamped());
     Observers none;
     run.solver.run(run.state, end_time, none);

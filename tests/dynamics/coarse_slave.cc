@@ -23,16 +23,9 @@ namespace
     block.placement.translation[2] = gap;
     block.axis.point               = block.placement.translation;
     model.add_body(std::move(block));
-
-    Constraint ground;
-    ground.name  = "ground";
-    ground.nodes = model.bodies[0].node_set("z-");
-    model.constraints.push_back(ground);
-    ContactPair pair;
-    pair.side            = "face";
-    pair.slave_body      = 1;
-    pair.slave_surface   = "z-";
-    pair.master_surface  = "z+";
+    model.constraints.push_back(
+      {"ground", ConstraintKind::held, 0, model.bodies[0].node_set("z-")});
+    ContactPair pair     = contact_of("face", {1, "z-"}, {0, "z+"});
     pair.options.surface = ContactSurfaceKind::flat_facets;
     pair.options.time    = ContactTime::explicit_; // springs that the step has to bear
     model.contacts.push_back(pair);
@@ -87,14 +80,8 @@ namespace
     model.loads.push_back(press);
     // Off the lines of the floor's nodes, on which a point would rest on an edge.
     model.bodies[1].placement.translation += Vector3(0.03, 0.04, 0);
-    Constraint guide;
-    guide.name       = "guide";
-    guide.kind       = ConstraintKind::directions;
-    guide.body       = 1;
-    guide.nodes      = model.bodies[1].node_set("z+");
-    guide.prescribed = {{true, true, false}};
-    guide.history.check("guide");
-    model.constraints.push_back(guide);
+    model.constraints.push_back(hold(model.bodies[1].node_set("z+"), {{true, true, false}}));
+    model.constraints.back().body = 1;
 
     OneSolver  run(model, undamped());
     State     &state  = run.state;

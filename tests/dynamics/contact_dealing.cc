@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // What ranks get of the contact: whole clusters, shares of heavy ones, or shares of all.
+#include "../model_parts.h"
 #include "../parts.h"
 #include "../tests.h"
 
@@ -26,9 +27,7 @@ namespace
           return false;
       }
     std::sort(found.begin(), found.end());
-    std::vector<unsigned int> all(n_clusters);
-    std::iota(all.begin(), all.end(), 0u);
-    return found == all && used <= n_ranks;
+    return found == numbers_below(n_clusters) && used <= n_ranks;
   }
 
   void check_simple()

@@ -29,13 +29,11 @@ namespace
     block.axis.point            = block.placement.translation;
     block.velocity[2]           = -speed;
     model.add_body(std::move(block));
-    Body                      plate("plate",
+    Body plate("plate",
                make_block({3 * side, 3 * side, side}, {{3, 3, 1}}, Vector3(0, 0, -side)),
                material_of(plate_density));
-    std::vector<unsigned int> nodes(plate.n_nodes());
-    std::iota(nodes.begin(), nodes.end(), 0U);
     model.add_body(std::move(plate));
-    model.constraints.push_back({"plate", ConstraintKind::held, 1, nodes});
+    model.constraints.push_back({"plate", ConstraintKind::held, 1, all_nodes(model.bodies[1])});
     model.contacts.push_back(pair);
     return model;
   }

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Nodal forces of loads, torques, springs and walls on a body that is moved and strained: their
 // resultants and moments against closed forms, energies, powers, steps.
+#include "../model_parts.h"
 #include "../parts.h"
 #include "../refusal.h"
 #include "../tests.h"
@@ -31,13 +32,6 @@ namespace
     ring.placement.translation = Vector3(50., -20., 10.);
     ring.axis                  = {ring.placement(Vector3::Zero()), ring.placement.rotation.col(2)};
     return model;
-  }
-
-  std::vector<unsigned int> all_nodes(const Body &body)
-  {
-    std::vector<unsigned int> nodes(body.n_nodes());
-    std::iota(nodes.begin(), nodes.end(), 0U);
-    return nodes;
   }
 
   /** A model on one rank with places, velocities and forces of its nodes. */
@@ -97,14 +91,10 @@ namespace
   {
     Model       model = make_ring_model();
     const Body &ring  = model.bodies.front();
-    Torque      load;
-    load.nodes     = ring.node_set("inner");
-    load.areas     = compute_nodal_areas(ring, load.nodes);
-    load.value     = 5000;
-    load.ramp_time = 1e-3;
-    model.torques.push_back(load);
-    const Axis    axis = ring.axis;
-    const Matrix3 turn = rotation_about(axis.direction, 2.);
+    model.torques.push_back(torque_on(model, "inner", 5000));
+    model.torques[0].ramp_time = 1e-3;
+    const Axis    axis         = ring.axis;
+    const Matrix3 turn         = rotation_about(axis.direction, 2.);
     Moved         moved(std::move(model), [&](const Vector3 &X) {
       return Vector3(axis.point + turn * (ring.placement(X) - axis.point));
     });
@@ -121,9 +111,9 @@ namespace
                 1e-8);
     check_below("torque: no resultant [N]", moved.resultant().norm(), 1e-10);
     // Everywhere the same traction T/(A r), along the circle.
-    const double area     = std::accumulate(load.areas.begin(), load.areas.end(), 0.),
-                 traction = 5000 / (area * inner);
-    double deviation      = 0;
+    const Torque &load      = moved.model.torques.front();
+    const double  traction  = 5000 / (sum_of(load.areas) * inner);
+    double        deviation = 0;
     for (std::size_t k = 0; k < load.nodes.size(); ++k)
       {
         const std::uint32_t local   = moved.partition().local_node[load.nodes[k]];
@@ -148,12 +138,7 @@ namespace
     bar.placement.rotation    = rotation_about(Vector3(1., 2., 2.).normalized(), 1.3);
     bar.placement.translation = Vector3(50., -20., 10.);
     bar.axis                  = {bar.placement.translation, bar.placement.rotation.col(2)};
-    Torque load;
-    load.name  = "twist";
-    load.nodes = bar.node_set("top");
-    load.areas = compute_nodal_areas(bar, load.nodes);
-    load.value = 5000;
-    model.torques.push_back(load);
+    model.torques.push_back(torque_on(model, "top", 5000));
     const Axis  axis = bar.axis;
     Moved       moved(std::move(model), bar.placement);
     TorqueLoads torques(moved.model, moved.partition());
@@ -209,11 +194,7 @@ namespace
   void pressure()
   {
     Model model = make_ring_model();
-    Load  load;
-    load.kind     = LoadKind::pressure;
-    load.pressure = 7;
-    load.nodes    = model.bodies[0].node_set("outer");
-    model.loads.push_back(load);
+    model.loads.push_back(pressure_on(model.bodies[0].node_set("outer"), 7));
     const RigidMotion place = model.bodies[0].placement;
     // Twice as wide and half as high again: pressure acts on the present faces.
     Moved      moved(std::move(model),

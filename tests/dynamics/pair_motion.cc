@@ -21,12 +21,8 @@ namespace
   Body make_member(const std::string &name, const Vector3 &axis, const Vector3 &point, double rate)
   {
     Body body(name, make_ring(20, 30, 6, {{2, 36, 1}}), Material());
-    body.axis = {point, axis.normalized()};
-    body.placement.rotation =
-      Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), body.axis.direction).toRotationMatrix();
-    body.placement.translation = point;
-    body.turns_on_axis         = true;
-    body.rate                  = rate;
+    place_on_axis(body, point, axis);
+    body.rate = rate;
     return body;
   }
 
@@ -203,14 +199,9 @@ namespace
   /** A driver that is held against a torque: its work is the torque times the angle. */
   void drive_work()
   {
-    Model  model = make_pair(1., ConstraintKind::rigid_hub, 0.);
-    Torque load;
-    load.body      = 0;
-    load.nodes     = model.bodies[0].node_set("outer");
-    load.areas     = compute_nodal_areas(model.bodies[0], load.nodes);
-    load.value     = -3000;
-    load.ramp_time = 1e-4;
-    model.torques.push_back(load);
+    Model model = make_pair(1., ConstraintKind::rigid_hub, 0.);
+    model.torques.push_back(torque_on(model, "outer", -3000));
+    model.torques.back().ramp_time = 1e-4;
     OneSolver run(model, undamped());
     Observers none;
     run.solver.run(run.state, 2e-4, none);

@@ -130,18 +130,11 @@ namespace
     constexpr double length = 50;
     Model            model;
     model.add_body(Body("tube", make_ring(20, 22, length, {{1, n, 10}}), Material()));
-    const Body               &body = model.bodies[0];
-    std::vector<unsigned int> all(body.n_nodes());
-    std::iota(all.begin(), all.end(), 0u);
-    model.constraints.push_back({"circles", ConstraintKind::free_rotation, 0, all});
+    const Body &body = model.bodies[0];
+    model.constraints.push_back({"circles", ConstraintKind::free_rotation, 0, all_nodes(body)});
     for (const auto &[end, sign] : {std::pair("top", 1.), std::pair("bottom", -1.)})
       {
-        Torque load;
-        load.name  = end;
-        load.nodes = body.node_set(end);
-        load.areas = compute_nodal_areas(body, load.nodes);
-        load.value = sign * torque;
-        model.torques.push_back(load);
+        model.torques.push_back(torque_on(model, end, sign * torque));
       }
     OneSolver run(model, undamped());
     relax(model, run);
@@ -182,9 +175,8 @@ namespace
       tube.initial_velocity.push_back(excited * std::cos(pi * X[2] / length) *
                                       Vector3(-X[1], X[0], 0));
     model.add_body(std::move(tube));
-    std::vector<unsigned int> all(model.bodies[0].n_nodes());
-    std::iota(all.begin(), all.end(), 0u);
-    model.constraints.push_back({"all", ConstraintKind::free_rotation, 0, all});
+    model.constraints.push_back(
+      {"all", ConstraintKind::free_rotation, 0, all_nodes(model.bodies[0])});
     DynamicsOptions options = undamped();
     options.damping         = zeta;
     OneSolver    run(model, options);

@@ -217,12 +217,9 @@ namespace
 
   Constraint symmetry(const unsigned int body, const Body &of, const unsigned int direction)
   {
-    Constraint plane;
-    plane.name                  = "plane";
-    plane.kind                  = ConstraintKind::directions;
-    plane.body                  = body;
-    plane.nodes                 = of.node_set(direction == 0 ? "x-" : "y-");
-    plane.prescribed[direction] = true;
+    Constraint plane =
+      hold(of.node_set(direction == 0 ? "x-" : "y-"), {{direction == 0, direction == 1, false}});
+    plane.body = body;
     return plane;
   }
 

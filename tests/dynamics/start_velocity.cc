@@ -15,12 +15,8 @@ namespace
   {
     Model model;
     Body  ring("ring", make_ring(20, 24, 4, {{2, 36, 1}}), Material());
-    ring.axis = {Vector3(10, -4, 3), Vector3(1, 2, 2) / 3.};
-    ring.placement.rotation =
-      Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), ring.axis.direction).toRotationMatrix();
-    ring.placement.translation = ring.axis.point;
-    ring.turns_on_axis         = true;
-    ring.rate                  = rate;
+    place_on_axis(ring, Vector3(10, -4, 3), Vector3(1, 2, 2));
+    ring.rate = rate;
     model.add_body(std::move(ring));
     return model;
   }

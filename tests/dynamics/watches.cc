@@ -2,6 +2,7 @@
 // Energy ledger, damping audit and contact losses of made-up steps, by hand; and interrupted at any
 // of them, written and read again: the same.
 #include "../made_state.h"
+#include "../model_parts.h"
 #include "../parts.h"
 #include "../refusal.h"
 #include "../tests.h"
@@ -184,10 +185,7 @@ namespace
     Model model;
     model.add_body(Body("small", make_block(Vector3(4, 2, 2), {{2, 1, 1}}), Material()));
     model.add_body(Body("large", make_block(Vector3(6, 4, 2), {{3, 2, 1}}), Material()));
-    ContactPair pair;
-    pair.slave_body  = 0;
-    pair.master_body = 1;
-    model.contacts.push_back(pair);
+    model.contacts.push_back(contact_of("", {0, ""}, {1, ""}));
     return model;
   }
 

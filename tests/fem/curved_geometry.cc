@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Quadratic and cubic elements whose edges and faces follow the true surfaces.
+#include "../model_parts.h"
 #include "../ranks.h"
 #include "../reduced/whole_body.h"
 #include "../refusal.h"
@@ -67,29 +68,17 @@ namespace
   {
     Model       model = make_ring_model(n);
     const Body &ring  = model.bodies[0];
-    Load        load;
-    load.name     = "pressure";
-    load.kind     = LoadKind::pressure;
-    load.nodes    = ring.node_set("inner");
-    load.pressure = 100.;
+    const Load  load  = pressure_on(ring.node_set("inner"), 100.);
     model.loads.push_back(load);
-    const auto hold = [&](const unsigned int direction, const std::vector<unsigned int> &nodes) {
-      Constraint constraint;
-      constraint.name                  = "symmetry";
-      constraint.kind                  = ConstraintKind::directions;
-      constraint.prescribed[direction] = true;
-      constraint.nodes                 = nodes;
-      model.constraints.push_back(constraint);
-    };
     for (const unsigned int direction : {0u, 1u})
       {
         std::vector<unsigned int> nodes;
         for (unsigned int i = 0; i < ring.n_nodes(); ++i)
           if (std::abs(ring.node_positions()[i][direction]) < 1e-9)
             nodes.push_back(i);
-        hold(direction, nodes);
+        model.constraints.push_back(hold(nodes, {{direction == 0, direction == 1, false}}));
       }
-    hold(2, ring.node_set("bottom"));
+    model.constraints.push_back(hold(ring.node_set("bottom"), {{false, false, true}}));
     FemOptions options;
     options.element       = element;
     options.geometry      = geometry;

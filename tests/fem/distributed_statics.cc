@@ -11,17 +11,13 @@ using namespace vfife;
 
 namespace
 {
-  Load make_load(const LoadKind                   kind,
-                 const std::vector<unsigned int> &nodes,
-                 const Vector3                   &vector,
-                 const double                     pressure = 0.)
+  Load make_load(const LoadKind kind, const std::vector<unsigned int> &nodes, const Vector3 &vector)
   {
     Load load;
-    load.name     = "load";
-    load.kind     = kind;
-    load.nodes    = nodes;
-    load.vector   = vector;
-    load.pressure = pressure;
+    load.name   = "load";
+    load.kind   = kind;
+    load.nodes  = nodes;
+    load.vector = vector;
     return load;
   }
 
@@ -44,7 +40,7 @@ namespace
     model.constraints.back().displacement[1] = 1e-3;
     model.loads = {make_load(LoadKind::force, body.node_set("x+"), Vector3(100., -200., 50.)),
                    make_load(LoadKind::moment, body.node_set("x+"), Vector3(300., 100., -200.)),
-                   make_load(LoadKind::pressure, body.node_set("y+"), Vector3::Zero(), 5.),
+                   pressure_on(body.node_set("y+"), 5.),
                    make_load(LoadKind::acceleration, all_nodes(body), Vector3(0., 0., -1e7)),
                    make_load(LoadKind::acceleration, body.node_set("y-"), Vector3(1e7, 0., 0.)),
                    make_load(LoadKind::force, {body.node_set("x+").front()}, Vector3(0., 9., 0.))};
@@ -61,13 +57,8 @@ namespace
                                             hold(body.node_set("top"), {{false, true, false}}, true),
                                             hold(body.node_set("outer"), {{true, false, false}}, true)};
     model.constraints[1].displacement[1] = 1e-3;
-    model.loads = {make_load(LoadKind::pressure, body.node_set("top"), Vector3::Zero(), 10.)};
-    Torque torque;
-    torque.name  = "twist";
-    torque.nodes = body.node_set("outer");
-    torque.areas = compute_nodal_areas(body, torque.nodes);
-    torque.value = 1e4;
-    model.torques.push_back(torque);
+    model.loads                          = {pressure_on(body.node_set("top"), 10.)};
+    model.torques.push_back(torque_on(model, "outer", 1e4));
     return model;
   }
 

@@ -153,11 +153,8 @@ namespace
           model.add_body(Body(b == 0 ? "upper" : "lower",
                               make_curved_block(shapes[b], cells[b], cells[b] * 3 / 4, h),
                               material));
-          Constraint far;
-          far.name  = "far";
-          far.body  = b;
-          far.nodes = model.bodies[b].node_set("far");
-          model.constraints.push_back(far);
+          model.constraints.push_back(
+            {"far", ConstraintKind::held, b, model.bodies[b].node_set("far")});
         }
       compliance = std::make_unique<Compliance>(model, FemOptions(), false, communicator);
       const FemSpace           &d = compliance->space();

@@ -47,10 +47,8 @@ namespace
     const FemSystem system(space, {}, communicator);
     check(name + ": some elements are divided, and some points hang",
           space.n_elements() > coarse.n_elements() && !space.hanging().empty());
-    std::vector<unsigned int> all(model.bodies[0].n_nodes());
-    std::iota(all.begin(), all.end(), 0u);
     // Also what a hanging point of the boundary passes to its masters is of the boundary.
-    const auto                   list = space.points_of(space.parts()[0], all);
+    const auto list = space.points_of(space.parts()[0], all_nodes(model.bodies[0]));
     const std::set<unsigned int> boundary(list.begin(), list.end());
     Matrix3                      gradient, spin;
     gradient << 1e-3, 2e-4, -3e-4, 5e-4, -4e-4, 1e-4, 2e-4, 6e-4, 7e-4;
@@ -103,14 +101,10 @@ namespace
     for (const Vector3 &x : space.points())
       there += std::abs(x[1]) < 1e-12 ? 1 : 0;
     check("points of a side", points.size() == there);
-    double area = 0;
-    Load   load;
-    load.name     = "side";
-    load.kind     = LoadKind::pressure;
-    load.pressure = 1.;
-    load.nodes    = model.bodies[0].node_set("y-");
+    double              area = 0;
     std::vector<double> forces(3 * std::size_t(space.n_points()), 0.);
-    add_load_forces(load, space, space.parts()[0], 1., forces);
+    add_load_forces(
+      pressure_on(model.bodies[0].node_set("y-"), 1.), space, space.parts()[0], 1., forces);
     for (unsigned int p = 0; p < space.n_points(); ++p)
       area += forces[3 * p + 1];
     check_close("pressure on a side with divided faces", area, 2., 1e-14);

@@ -27,13 +27,7 @@ namespace
               x[0] += .1;
         model.add_body(Body(z > 0. ? "upper" : "lower", std::move(mesh), {}));
       }
-    ContactPair pair;
-    pair.side           = "faces";
-    pair.slave_body     = 1;
-    pair.slave_surface  = "z-";
-    pair.master_body    = 0;
-    pair.master_surface = "z+";
-    model.contacts.push_back(pair);
+    model.contacts.push_back(contact_of("faces", {1, "z-"}, {0, "z+"}));
     for (unsigned int body = 0; body < 2; ++body)
       for (const auto &[side, direction] :
            {std::pair("x-", 0), std::pair("y-", 1), std::pair(body == 0 ? "z-" : "z+", 2)})

@@ -57,9 +57,8 @@ namespace
     for (const unsigned int sector : {0u, 1u, 4u, model.bodies[0].mesh().structure.n_sectors() - 1})
       for (unsigned int i = 0; i < per_sector; i += 1 + per_sector / 9)
         nodes.push_back(sector * per_sector + i);
-    std::vector<unsigned int> rows(3 * nodes.size());
-    std::iota(rows.begin(), rows.end(), 0u);
-    double worst = 0, largest = 0;
+    const std::vector<unsigned int> rows  = numbers_below(3 * nodes.size());
+    double                          worst = 0, largest = 0;
     for (Compliance *compliance : {&sectors, &bodies})
       {
         compliance->watch(nodes);

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Linear statics: patch test, order of convergence, spin and torque against closed forms, messages.
+#include "../model_parts.h"
 #include "../refusal.h"
 #include "../tests.h"
 
@@ -201,13 +202,7 @@ namespace
     model.constraints.push_back({"end", ConstraintKind::held, 0, bar.node_set("x-")});
     bar.axis.point = Vector3(0., 5., 5.);
     // Held straight: without stress stiffness the spin would bend it sideways.
-    Constraint straight;
-    straight.name       = "straight";
-    straight.kind       = ConstraintKind::directions;
-    straight.prescribed = {{false, true, true}};
-    straight.nodes.resize(bar.n_nodes());
-    std::iota(straight.nodes.begin(), straight.nodes.end(), 0u);
-    model.constraints.push_back(straight);
+    model.constraints.push_back(hold(all_nodes(bar), {{false, true, true}}));
     for (const LinearSolverKind kind : {LinearSolverKind::multigrid, LinearSolverKind::direct})
       {
         const StaticSolver solver(model,
@@ -257,10 +252,7 @@ namespace
     model.add_body(Body("tube", make_ring(20., 22., 60., {{2, 48, 12}}), {}));
     const Body &tube = model.bodies[0];
     model.constraints.push_back({"bottom", ConstraintKind::held, 0, tube.node_set("bottom")});
-    Torque torque;
-    torque.nodes = tube.node_set("top");
-    torque.areas = compute_nodal_areas(tube, torque.nodes);
-    torque.value = 1e5;
+    const Torque torque = torque_on(model, "top", 1e5);
     model.torques.push_back(torque);
     const unsigned int node  = torque.nodes.front();
     const double       shear = tube.materials().front().mu();
@@ -294,15 +286,11 @@ namespace
   {
     Model model;
     model.add_body(Body("bar", make_cylinder(8., 20., {{4, 1, 2}}), {}));
-    Body &bar                 = model.bodies[0];
-    bar.placement.rotation    = rotation_about(Vector3(1., 2., 2.).normalized(), 1.3);
-    bar.placement.translation = Vector3(50., -20., 10.);
-    bar.axis                  = {bar.placement.translation, bar.placement.rotation.col(2)};
-    Torque torque;
-    torque.name  = "twist";
-    torque.nodes = bar.node_set("top");
-    torque.areas = compute_nodal_areas(bar, torque.nodes);
-    torque.value = 1e5;
+    Body &bar                  = model.bodies[0];
+    bar.placement.rotation     = rotation_about(Vector3(1., 2., 2.).normalized(), 1.3);
+    bar.placement.translation  = Vector3(50., -20., 10.);
+    bar.axis                   = {bar.placement.translation, bar.placement.rotation.col(2)};
+    Torque              torque = torque_on(model, "top", 1e5);
     const FemSpace      space(model, {0}, FemElement::incompatible_modes);
     std::vector<double> forces(3 * space.n_points(), 0.);
     add_torque_forces(torque, space, space.parts()[0], torque.value, forces);
@@ -380,11 +368,7 @@ namespace
     const Body  &block = model.bodies[0];
     for (const auto &choice : fem_element_choices())
       {
-        Load load;
-        load.name           = "lid";
-        load.nodes          = block.node_set("z+");
-        load.kind           = LoadKind::pressure;
-        load.pressure       = p;
+        Load        load    = pressure_on(block.node_set("z+"), p);
         const Field pressed = [&](const Vector3 &x) { return Vector3(0, 0, -p / E * x[2]); };
         check_below("uneven face under pressure, " + choice.first,
                     imbalance(model, load, choice.second, communicator, pressed),
@@ -400,8 +384,7 @@ namespace
     weight.name   = "weight";
     weight.kind   = LoadKind::acceleration;
     weight.vector = Vector3(0., 0., -g);
-    weight.nodes.resize(block.n_nodes());
-    std::iota(weight.nodes.begin(), weight.nodes.end(), 0u);
+    weight.nodes  = all_nodes(block);
     check_below("uneven block under its own weight, quadratic",
                 imbalance(model,
                           weight,

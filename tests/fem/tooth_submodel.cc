@@ -28,10 +28,7 @@ namespace
     body.axis                  = {body.placement.translation, body.placement.rotation.col(2)};
     body.turns_on_axis         = true;
     body.rate                  = 1000.;
-    Constraint bore;
-    bore.name         = "bore";
-    bore.nodes        = body.node_set(node_set::bore);
-    model.constraints = {bore};
+    model.constraints.push_back({"bore", ConstraintKind::held, 0, body.node_set(node_set::bore)});
     return model;
   }
 

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Block, ring and cylinder: numbers of cells, volumes against closed forms, named sides, refusals.
 
+#include "../model_parts.h"
 #include "../read_entries.h"
 #include "../refusal.h"
 #include "../tests.h"
@@ -72,9 +73,9 @@ namespace
     check("block sides: nodes", nodes_right);
     check("block side: open border", open_sides(block->surfaces.at("z+")) == 10);
 
-    std::vector<unsigned int> all(block->triangulation.n_vertices());
-    std::iota(all.begin(), all.end(), 0u);
-    const auto whole = surface_of_boundary(block->triangulation, "all", all);
+    const auto whole = surface_of_boundary(block->triangulation,
+                                           "all",
+                                           numbers_below(block->triangulation.n_vertices()));
     check("block boundary is closed", whole.facets.size() == 52 && open_sides(whole) == 0);
   }
 

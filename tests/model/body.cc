@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Bodies: masses and inertia of the lumped masses, node sets, areas of nodes, boundary faces, axes
 // and displacements in the body frame, numbering in a model.
+#include "../model_parts.h"
 #include "../parts.h"
 #include "../refusal.h"
 #include "../tests.h"
@@ -95,9 +96,8 @@ namespace
     check_ratio("ring: area above",
                 sum_of(compute_nodal_areas(body, body.node_set("top"))) / (volume / height),
                 1e-12);
-    std::vector<unsigned int> all(body.n_nodes());
-    std::iota(all.begin(), all.end(), 0U);
-    const double whole =
+    const std::vector<unsigned int> all = all_nodes(body);
+    const double                    whole =
       2 * volume / height + around * 2 * (outer + inner) * std::sin(half) * height;
     check_ratio("ring: all of its surface", sum_of(compute_nodal_areas(body, all)) / whole, 1e-12);
 
@@ -166,13 +166,11 @@ namespace
 
   void faces()
   {
-    const Body                body = ring();
-    std::vector<unsigned int> all(body.n_nodes());
-    std::iota(all.begin(), all.end(), 0U);
+    const Body   body   = ring();
     Vector3      total  = Vector3::Zero();
     double       volume = 0;
     unsigned int n      = 0;
-    for (const BoundaryFace &face : find_boundary_faces(body, all))
+    for (const BoundaryFace &face : find_boundary_faces(body, all_nodes(body)))
       {
         std::array<Vector3, 4> x;
         for (unsigned int i = 0; i < 4; ++i)

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // What nodes take of a load, moments shared over a face; the numbers of a pair: ratio, angles'
 // rates, torque of a tooth; the ledger of energies.
+#include "../model_parts.h"
 #include "../parts.h"
 #include "../refusal.h"
 #include "../tests.h"
@@ -52,9 +53,8 @@ namespace
     load.kind = LoadKind::pressure;
     refuse(load, body);
 
-    load.kind = LoadKind::acceleration;
-    load.nodes.resize(body.n_nodes());
-    std::iota(load.nodes.begin(), load.nodes.end(), 0U);
+    load.kind  = LoadKind::acceleration;
+    load.nodes = all_nodes(body);
     check("acceleration: the masses", compute_load_shares(load, body) == body.node_masses());
   }
 

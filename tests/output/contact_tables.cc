@@ -2,6 +2,7 @@
 // pattern.csv and teeth.csv of made-up contact, read back: every number against a closed form of
 // what was put in.
 #include "../made_state.h"
+#include "../model_parts.h"
 #include "../tests.h"
 
 #include <vfife/base/process/communicator.h>
@@ -26,18 +27,8 @@ namespace
     Model model;
     model.add_body(Body("pinion", make_ring(20, 30, 5, {{2, 24, 2}}), Material()));
     model.add_body(Body("gear", make_ring(30, 40, 8, {{2, 24, 1}}), Material()));
-    ContactPair drive;
-    drive.side           = "drive";
-    drive.slave_body     = 0;
-    drive.slave_surface  = "outer";
-    drive.master_body    = 1;
-    drive.master_surface = "inner";
-    model.contacts.push_back(drive);
-    ContactPair coast = drive;
-    coast.side        = "coast";
-    std::swap(coast.slave_body, coast.master_body);
-    std::swap(coast.slave_surface, coast.master_surface);
-    model.contacts.push_back(coast);
+    model.contacts.push_back(contact_of("drive", {0, "outer"}, {1, "inner"}));
+    model.contacts.push_back(contact_of("coast", {1, "inner"}, {0, "outer"}));
     Transmission pair;
     pair.driver         = 0;
     pair.driven         = 1;

@@ -19,10 +19,9 @@ namespace
   {
     Model        model;
     Transmission pair;
-    pair.driven       = model.add_body(ring_askew("gear", Material()));
-    pair.driven_teeth = 24;
-    pair.driven_rim.resize(model.bodies[0].n_nodes());
-    std::iota(pair.driven_rim.begin(), pair.driven_rim.end(), 0u);
+    pair.driven         = model.add_body(ring_askew("gear", Material()));
+    pair.driven_teeth   = 24;
+    pair.driven_rim     = all_nodes(model.bodies[0]);
     model.transmissions = {pair};
     return model;
   }

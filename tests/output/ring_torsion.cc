@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Shear stress of a ring whose inner radius is turned against the outer one, as fields and probes
 // have it, while the ring has turned about an axis askew: the closed form of plane elasticity.
+#include "../model_parts.h"
 #include "../tests.h"
 
 #include <vfife/base/process/communicator.h>
@@ -25,12 +26,7 @@ namespace
   Model make_model()
   {
     Body ring("ring", make_ring(inner, outer, 5, {{10, 96, 1}}), Material());
-    ring.axis.point     = Vector3(1, 2, 3);
-    ring.axis.direction = Vector3(1, 2, 2) / 3.;
-    ring.placement.rotation =
-      Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), ring.axis.direction).toRotationMatrix();
-    ring.placement.translation = ring.axis.point;
-    ring.turns_on_axis         = true;
+    place_on_axis(ring, Vector3(1, 2, 3), Vector3(1, 2, 2));
     Model model;
     model.add_body(std::move(ring));
     return model;

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // The text files of a run: folder, histories, log, summary.
+#include "../model_parts.h"
 #include "../read_files.h"
 #include "../refusal.h"
 #include "../tests.h"
@@ -46,15 +47,8 @@ namespace
     pair.driven_teeth   = 79;
     pair.driver_rate    = 20000 * pi / 30;
     model.transmissions = {pair};
-    ContactPair drive;
-    drive.side        = "drive";
-    drive.slave_body  = 0;
-    drive.master_body = 1;
-    model.contacts.push_back(drive);
-    ContactPair coast = drive;
-    coast.side        = "coast";
-    std::swap(coast.slave_body, coast.master_body);
-    model.contacts.push_back(coast);
+    model.contacts.push_back(contact_of("drive", {0, ""}, {1, ""}));
+    model.contacts.push_back(contact_of("coast", {1, ""}, {0, ""}));
     model.probes.push_back({"node A", 1, 0});
     return model;
   }

@@ -34,15 +34,10 @@ namespace
         if (slides && X[0] == 0)
           block.initial_velocity.back()[0] = 0;
       }
-    Constraint slide;
-    slide.name       = "slide";
-    slide.kind       = ConstraintKind::directions;
-    slide.prescribed = {{true, false, false}};
-    slide.nodes      = block.node_set("x-");
     Model model;
     model.add_body(std::move(block));
     if (slides)
-      model.constraints.push_back(slide);
+      model.constraints.push_back(hold(model.bodies[0].node_set("x-"), {{true, false, false}}));
     DynamicsOptions options = undamped();
     options.step_bound      = StepBound::element;
     OneSolver   run(model, options);

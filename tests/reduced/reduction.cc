@@ -667,17 +667,11 @@ namespace
     refuse([](Model &model) { model.torques[0].nodes.resize(3); });
     refuse([](Model &model) { model.constraints.clear(); });
     refuse([](Model &model) {
-      Constraint constraint;
-      constraint.name       = "side";
-      constraint.kind       = ConstraintKind::directions;
-      constraint.nodes      = model.bodies[0].node_set("top");
-      constraint.prescribed = {{true, false, false}};
-      model.constraints.push_back(constraint);
+      model.constraints.push_back(hold(model.bodies[0].node_set("top"), {{true, false, false}}));
     });
     refuse([](Model &model) {
-      Load load;
-      load.name = "push";
-      model.loads.push_back(load);
+      model.loads.emplace_back();
+      model.loads.back().name = "push";
     });
     refuse([](Model &model) {
       model = hang_in_bearings(std::move(model), "inner", 1e4, 1., 0.);

@@ -35,10 +35,7 @@ namespace
     body.axis          = {Vector3::Zero(), Vector3::UnitZ()};
     body.turns_on_axis = true;
     body.rate          = 20000. * 27. / 79. * pi / 30.;
-    Constraint bore;
-    bore.name         = "bore";
-    bore.nodes        = body.node_set(node_set::bore);
-    model.constraints = {bore};
+    model.constraints.push_back({"bore", ConstraintKind::held, 0, body.node_set(node_set::bore)});
     return model;
   }
 

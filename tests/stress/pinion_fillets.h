@@ -4,6 +4,7 @@
 
 #include "../gear/paper_pair.h"
 #include "../mesh/paper_members.h"
+#include "../model_parts.h"
 #include "../tests.h"
 
 #include <vfife/mesh/gear/gear_body.h>
@@ -23,20 +24,15 @@ inline vfife::Model make_held_pinion(const vfife::GearBodyOptions &options)
   vfife::Model model;
   model.add_body(
     vfife::Body("pinion", vfife::make_gear_body(paper::pinion(), options), vfife::Material()));
-  vfife::Constraint bore;
-  bore.name         = "bore";
-  bore.nodes        = model.bodies[0].node_set(vfife::node_set::bore);
-  model.constraints = {bore};
+  model.constraints.push_back(
+    {"bore", vfife::ConstraintKind::held, 0, model.bodies[0].node_set(vfife::node_set::bore)});
   return model;
 }
 
 /** 100 MPa on the whole concave flank of tooth 0. */
 inline vfife::Load press_flank(const vfife::Body &body)
 {
-  vfife::Load load;
-  load.name     = "pressure";
-  load.kind     = vfife::LoadKind::pressure;
-  load.pressure = 100.;
+  vfife::Load load = pressure_on({}, 100.);
   for (const unsigned int node : body.mesh().surfaces.at(vfife::surface_name::concave).nodes)
     if (body.structure().sector_of(node) == 0)
       load.nodes.push_back(node);

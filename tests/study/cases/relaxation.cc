@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Static equilibrium by relaxation, adaptive and traditional (virtual damping), against
 // conventional finite elements on the same mesh, which is read from a file. On one rank and on two.
+#include "../../model_parts.h"
 #include "../../tests.h"
 
 #include <vfife/base/process/log.h>
@@ -22,18 +23,9 @@ namespace
     model.add_body(
       Body("plate", read_body(tree_folder() + "/meshes/plate_with_hole.msh"), Material()));
     const Body &plate = model.bodies.front();
-    const auto  hold  = [&](const char *set, const unsigned int direction) {
-      Constraint constraint;
-      constraint.name                  = set;
-      constraint.kind                  = ConstraintKind::directions;
-      constraint.nodes                 = plate.node_set(set);
-      constraint.prescribed[direction] = true;
-      model.constraints.push_back(constraint);
-    };
-    hold("symmetry x", 0);
-    hold("symmetry y", 1);
-    hold("bottom", 2);
-
+    model.constraints = {hold(plate.node_set("symmetry x"), {{true, false, false}}),
+                         hold(plate.node_set("symmetry y"), {{false, true, false}}),
+                         hold(plate.node_set("bottom"), {{false, false, true}})};
     Load pull;
     pull.name   = "pull";
     pull.nodes  = plate.node_set("pulled");

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Members of a pair as rigid bodies in their bearings: natural rates, damping ratios and static
 // compliance of the lumped model's supports by hand.
+#include "../../model_parts.h"
 #include "../../parts.h"
 #include "../../refusal.h"
 #include "../../tests.h"
@@ -38,13 +39,8 @@ namespace
                   make_ring(20., b == 0 ? 30. : 50., length, {{2, 24, 4}}),
                   Material());
         const Vector3 axis = b == 0 ? Vector3(1., .2, .1) : Vector3(-.1, .3, 1.);
-        body.axis          = {Vector3(10. * b, 5., 2.), axis.normalized()};
-        body.placement.rotation =
-          Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), body.axis.direction)
-            .toRotationMatrix();
-        body.placement.translation = body.axis.point;
-        body.turns_on_axis         = true;
-        body.floats                = floating[b];
+        place_on_axis(body, Vector3(10. * b, 5., 2.), axis);
+        body.floats = floating[b];
         model.add_body(std::move(body));
       }
     for (unsigned int b = 0; b < 2; ++b)

@@ -3,6 +3,7 @@
 // lag of penalty springs under a rigid tilt, each against its closed form.
 #include "../../dynamics/one_solver.h"
 #include "../../made_state.h"
+#include "../../model_parts.h"
 #include "../../parts.h"
 #include "../../tests.h"
 
@@ -27,12 +28,7 @@ namespace
       Body body(name,
                 make_ring(scale * size[0], scale * size[1], scale * size[2], cells),
                 Material());
-      body.axis = {scale * point, axis.normalized()};
-      body.placement.rotation =
-        Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), body.axis.direction)
-          .toRotationMatrix();
-      body.placement.translation = body.axis.point;
-      body.turns_on_axis         = true;
+      place_on_axis(body, scale * point, axis);
       return body;
     };
     Model        model;
@@ -57,12 +53,7 @@ namespace
     t.contact_normal    = Vector3(2., -3., 6.) / 7.;
     t.arm               = scale * arm;
     model.transmissions = {t};
-    ContactPair pair;
-    pair.slave_body     = t.driver;
-    pair.slave_surface  = "outer";
-    pair.master_body    = t.driven;
-    pair.master_surface = "outer";
-    model.contacts.push_back(pair);
+    model.contacts.push_back(contact_of("", {t.driver, "outer"}, {t.driven, "outer"}));
     return model;
   }
 
