@@ -38,11 +38,9 @@ inline void set_strains(vfife::Body                                         &bod
 /** A bar along x between two planes, hotter than them: sigma = -E strain. */
 inline vfife::Model make_heated_bar(const double strain)
 {
-  vfife::Model model;
-  model.add_body(vfife::Body("bar",
-                             vfife::make_block(vfife::Vector3(20, 3, 2), {{5, 2, 2}}),
-                             vfife::Material()));
-  vfife::Body &bar = model.bodies[0];
+  vfife::Model model = model_of(vfife::Body(
+    "bar", vfife::make_block(vfife::Vector3(20, 3, 2), {{5, 2, 2}}), vfife::Material()));
+  vfife::Body &bar   = model.bodies[0];
   set_strains(bar, [strain](const vfife::Vector3 &) { return strain; });
   for (const char *end : {"x-", "x+"})
     model.constraints.push_back(hold(bar.node_set(end), {{true, false, false}}));
@@ -155,10 +153,10 @@ inline vfife::Model make_layered_bar(const unsigned int n, const double length)
   steel.poissons_ratio = light.poissons_ratio = 0.;
   light.density                               = steel.density / 3.;
   light.youngs_modulus                        = steel.youngs_modulus / 3.;
-  vfife::Model model;
-  model.add_body(make_composite(vfife::make_block(vfife::Vector3(length, 1, 1), {{n, 1, 1}}),
-                                {steel, light},
-                                [length](const vfife::Vector3 &x) { return x[0] > .5 * length; }));
+  vfife::Model model =
+    model_of(make_composite(vfife::make_block(vfife::Vector3(length, 1, 1), {{n, 1, 1}}),
+                            {steel, light},
+                            [length](const vfife::Vector3 &x) { return x[0] > .5 * length; }));
   model.constraints.push_back(hold(all_nodes(model.bodies[0]), {{false, true, true}}));
   return model;
 }

@@ -7,7 +7,16 @@
 #include <array>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
+
+/** A model with a body, the first one. */
+inline vfife::Model model_of(vfife::Body body)
+{
+  vfife::Model model;
+  model.add_body(std::move(body));
+  return model;
+}
 
 /** 0 to n - 1. */
 inline std::vector<unsigned int> numbers_below(const unsigned int n)

@@ -18,8 +18,7 @@ namespace
 
   void tumble()
   {
-    Model model;
-    model.add_body(Body("block", make_block(Vector3(20, 10, 4), {{8, 4, 2}}), Material()));
+    Model model = model_of(Body("block", make_block(Vector3(20, 10, 4), {{8, 4, 2}}), Material()));
     OneSolver run(model, undamped());
 
     // About the middle axis of inertia with a disturbance, and flying: Euler's unstable case, so
@@ -154,8 +153,7 @@ namespace
     const unsigned int n = 20;
     Material           material;
     material.poissons_ratio = 0;
-    Model model;
-    model.add_body(Body("bar", make_block(Vector3(L, 5, 5), {{n, 1, 1}}), material));
+    Model        model = model_of(Body("bar", make_block(Vector3(L, 5, 5), {{n, 1, 1}}), material));
     OneSolver    run(model, undamped());
     const double amplitude = 100; // [mm/s]; strain 2e-5, the frame's rotation plays no part
     for (std::uint32_t i = 0; i < run.state.partition->n_local(); ++i)
@@ -210,8 +208,7 @@ namespace
     const double L = 100, H = 10;
     Material     material;
     material.poissons_ratio = 0; // a held end then does not stiffen what is near it
-    Model model;
-    model.add_body(Body("beam", make_block(Vector3(L, 5, H), {{20, 1, 2}}), material));
+    Model model = model_of(Body("beam", make_block(Vector3(L, 5, H), {{20, 1, 2}}), material));
     model.constraints.push_back({"end", ConstraintKind::held, 0, model.bodies[0].node_set("x-")});
     OneSolver run(model, undamped());
 

@@ -14,8 +14,7 @@ namespace
   /** A block of 5 mm over a floor, both of steel; cells across. */
   Model make_model(const unsigned int cells, const unsigned int floor_cells, const double gap)
   {
-    Model model;
-    model.add_body(
+    Model model = model_of(
       Body("floor",
            make_block(Vector3(6, 6, 1), {{floor_cells, floor_cells, 4}}, Vector3(-0.5, -0.5, -1)),
            Material()));

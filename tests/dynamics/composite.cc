@@ -96,9 +96,8 @@ namespace
     const double strain = 1e-3, length = 40.;
     Material     material;
     material.poissons_ratio = 0.;
-    Model model;
-    model.add_body(Body("bar", make_block(Vector3(length, 1, 1), {{80, 1, 1}}), material));
-    Body &bar = model.bodies[0];
+    Model model = model_of(Body("bar", make_block(Vector3(length, 1, 1), {{80, 1, 1}}), material));
+    Body &bar   = model.bodies[0];
     set_strains(bar, [strain](const Vector3 &) { return strain; });
     model.constraints.push_back(hold(all_nodes(bar), {{false, true, true}}));
     model.constraints.push_back(hold(bar.node_set("x-"), {{true, false, false}}));

@@ -59,9 +59,8 @@ namespace
 
   void check_packs()
   {
-    Model model;
-    model.add_body(
-      Body("block", make_block(Vector3(3, 3, 2), {{3, 3, 2}}), Material())); // 18 elements
+    Model model =
+      model_of(Body("block", make_block(Vector3(3, 3, 2), {{3, 3, 2}}), Material())); // 18 elements
     model.add_body(Body("distorted", make_distorted_block({{3, 1, 1}}), Material()));
     const auto rank_of_element = assign_elements(model, 1);
     const auto packs           = make_packs(model, rank_of_element, 0);
@@ -95,8 +94,7 @@ namespace
    */
   void check_border(const bool share_constants)
   {
-    Model model;
-    model.add_body(Body("bar", make_block(Vector3(2, 2, 24), {{2, 2, 24}}), Material()));
+    Model model = model_of(Body("bar", make_block(Vector3(2, 2, 24), {{2, 2, 24}}), Material()));
     const auto        rank_of_element = assign_elements(model, 2);
     const auto        packs           = make_packs(model, rank_of_element, 0, share_constants)[0];
     const auto       &rows            = share_constants ? packs.shared_packs : packs.own_packs;
@@ -111,8 +109,7 @@ namespace
   void check_forces(const StiffnessKind stiffness, const FrameKind frame, const std::string &name)
   {
     Material material;
-    Model    model;
-    model.add_body(Body("block", make_block(Vector3(3, 3, 2), {{3, 3, 2}}), material));
+    Model    model = model_of(Body("block", make_block(Vector3(3, 3, 2), {{3, 3, 2}}), material));
     model.add_body(Body("distorted", make_distorted_block({{3, 3, 2}}), material));
     const Communicator alone(MPI_COMM_SELF);
     VfifeOperator      vfife(model, frame, stiffness, alone);

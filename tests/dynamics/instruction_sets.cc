@@ -3,6 +3,7 @@
 // layout give the same numbers; error of hourglass blocks in single precision; step without the
 // worst elements.
 #include "../instruction_sets.h"
+#include "../model_parts.h"
 #include "../tests.h"
 
 #include <vfife/base/process/communicator.h>
@@ -162,8 +163,7 @@ namespace
   void check_worst_elements()
   {
     // Three thin elements before eight cubes.
-    Model model;
-    model.add_body(Body("thin", make_block(Vector3(3, 1, 0.1), {{3, 1, 1}}), Material()));
+    Model model = model_of(Body("thin", make_block(Vector3(3, 1, 0.1), {{3, 1, 1}}), Material()));
     model.add_body(Body("thick", make_block(Vector3(8, 1, 1), {{8, 1, 1}}), Material()));
     const Communicator  alone(MPI_COMM_SELF);
     const VfifeOperator vfife(model, FrameKind::polar, StiffnessKind::incompatible_modes, alone);
@@ -177,8 +177,7 @@ namespace
 
   void check_layouts(const InstructionSet set)
   {
-    Model model;
-    model.add_body(Body("disc", make_disc(5., 2., {{4, 3, 3}}), Material()));
+    Model          model = model_of(Body("disc", make_disc(5., 2., {{4, 3, 3}}), Material()));
     OperatorLayout plain;
     plain.instruction_set  = InstructionSet::generic;
     const auto   reference = compute_forces(model, plain, 1e-3);

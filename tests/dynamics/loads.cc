@@ -25,9 +25,8 @@ namespace
   /** A ring, turned and away from the origin, on its axis. */
   Model make_ring_model()
   {
-    Model model;
-    model.add_body({"ring", make_ring(inner, outer, height, {{2, around, 2}}), Material()});
-    Body &ring                 = model.bodies.front();
+    Model model = model_of({"ring", make_ring(inner, outer, height, {{2, around, 2}}), Material()});
+    Body &ring  = model.bodies.front();
     ring.placement.rotation    = rotation_about(Vector3(1., 2., 2.).normalized(), 1.3);
     ring.placement.translation = Vector3(50., -20., 10.);
     ring.axis                  = {ring.placement(Vector3::Zero()), ring.placement.rotation.col(2)};
@@ -132,8 +131,7 @@ namespace
   /** On a face with a node on the axis, away from the origin: that node has no tangent. */
   void torque_on_axis()
   {
-    Model model;
-    model.add_body({"bar", make_cylinder(8., 20., {{4, 1, 2}}), Material()});
+    Model model               = model_of({"bar", make_cylinder(8., 20., {{4, 1, 2}}), Material()});
     Body &bar                 = model.bodies.front();
     bar.placement.rotation    = rotation_about(Vector3(1., 2., 2.).normalized(), 1.3);
     bar.placement.translation = Vector3(50., -20., 10.);
@@ -219,9 +217,7 @@ namespace
 
   Model make_sprung_bar()
   {
-    Model model;
-    model.add_body({"bar", make_block(Vector3(8., 2., 2.), {{4, 1, 1}}), Material()});
-    return model;
+    return model_of({"bar", make_block(Vector3(8., 2., 2.), {{4, 1, 1}}), Material()});
   }
 
   /** To the ground, at the bar's left end. */

@@ -21,8 +21,7 @@ namespace
 
   Model make_model()
   {
-    Model model;
-    model.add_body({"floor", make_block(Vector3(20., 10., 2.), {{20, 10, 1}}), Material()});
+    Model model = model_of({"floor", make_block(Vector3(20., 10., 2.), {{20, 10, 1}}), Material()});
     for (const Punch &p : punches)
       {
         const unsigned int number = model.bodies.size();

@@ -128,9 +128,8 @@ namespace
   double twist(const unsigned int n)
   {
     constexpr double length = 50;
-    Model            model;
-    model.add_body(Body("tube", make_ring(20, 22, length, {{1, n, 10}}), Material()));
-    const Body &body = model.bodies[0];
+    Model       model = model_of(Body("tube", make_ring(20, 22, length, {{1, n, 10}}), Material()));
+    const Body &body  = model.bodies[0];
     model.constraints.push_back({"circles", ConstraintKind::free_rotation, 0, all_nodes(body)});
     for (const auto &[end, sign] : {std::pair("top", 1.), std::pair("bottom", -1.)})
       {

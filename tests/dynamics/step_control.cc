@@ -27,9 +27,7 @@ namespace
     auto       mesh  = make_moved(*block, "layered block", [thinness](const Vector3 &x) {
       return Vector3(x[0] > 2.5 ? x[0] - 1 + thinness : x[0], x[1], x[2]);
     });
-    Model      model;
-    model.add_body(Body("block", std::move(mesh), Material()));
-    return model;
+    return model_of(Body("block", std::move(mesh), Material()));
   }
 
   /** Largest circular frequency of the free body, from its assembled matrices [rad/s]. */
@@ -107,9 +105,8 @@ namespace
    * the square of each of its frequencies, and the bound is the frequency itself. */
   void springs()
   {
-    Model model;
-    model.add_body(Body("cube", make_block(Vector3(2, 2, 2), {{1, 1, 1}}), Material()));
-    Body &cube = model.bodies[0];
+    Model model = model_of(Body("cube", make_block(Vector3(2, 2, 2), {{1, 1, 1}}), Material()));
+    Body &cube  = model.bodies[0];
     for (const Vector3 &X : cube.node_positions())
       cube.initial_velocity.push_back(
         Vector3(std::sin(7 * X[0] + X[1]), std::sin(5 * X[1] + X[2]), std::cos(3 * X[2] + X[0])));

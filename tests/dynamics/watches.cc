@@ -182,8 +182,7 @@ namespace
   /** Two blocks that fly and may touch. */
   Model flying_blocks()
   {
-    Model model;
-    model.add_body(Body("small", make_block(Vector3(4, 2, 2), {{2, 1, 1}}), Material()));
+    Model model = model_of(Body("small", make_block(Vector3(4, 2, 2), {{2, 1, 1}}), Material()));
     model.add_body(Body("large", make_block(Vector3(6, 4, 2), {{3, 2, 1}}), Material()));
     model.contacts.push_back(contact_of("", {0, ""}, {1, ""}));
     return model;

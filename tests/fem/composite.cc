@@ -56,8 +56,8 @@ namespace
     Material     material;
     material.poissons_ratio = 0.;
     const auto lowest       = [&](const double strain) {
-      Model model;
-      model.add_body(Body("bar", make_block(Vector3(length, .7, height), {{40, 1, 2}}), material));
+      Model model =
+        model_of(Body("bar", make_block(Vector3(length, .7, height), {{40, 1, 2}}), material));
       Body &bar = model.bodies[0];
       if (strain != 0.)
         set_strains(bar, [strain](const Vector3 &) { return strain; });
@@ -141,8 +141,8 @@ namespace
     light.youngs_modulus /= 3.;
     const auto modes_of = [&](const bool                                  cyclic,
                               const std::function<bool(const Vector3 &)> &where) {
-      Model model;
-      model.add_body(make_composite(make_ring(20, 30, 4, {{6, 18, 3}}), {steel, light}, where));
+      Model model =
+        model_of(make_composite(make_ring(20, 30, 4, {{6, 18, 3}}), {steel, light}, where));
       set_strains(model.bodies[0],
                   [](const Vector3 &x) { return x.head<2>().norm() > 25. ? -1e-3 : 0.; });
       model.constraints.push_back(

@@ -19,9 +19,7 @@ namespace
 
   Model make_ring_model(const unsigned int n)
   {
-    Model model;
-    model.add_body(Body("ring", make_ring(inner, outer, 5., {{n / 4, n, 1}}), {}));
-    return model;
+    return model_of(Body("ring", make_ring(inner, outer, 5., {{n / 4, n, 1}}), {}));
   }
 
   double volume_of(const FemSpace &space)
@@ -192,8 +190,7 @@ namespace
     auto mesh = make_block(Vector3(2., 1., 1.), {{2, 1, 1}});
     mesh->triangulation.set_all_manifold_ids(7);
     mesh->triangulation.set_manifold(7, Pushed());
-    Model model;
-    model.add_body(Body("block", std::move(mesh), {}));
+    Model model                           = model_of(Body("block", std::move(mesh), {}));
     model.bodies[0].placement.translation = Vector3(0., 10., 0.);
     print_refusal<NumericalError>([&] {
       FemSpace(model, {0}, {FemElement::quadratic, FemGeometry::curved});

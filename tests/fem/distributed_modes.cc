@@ -13,8 +13,7 @@ namespace
 {
   Model make_plate(const bool is_held)
   {
-    Model model;
-    model.add_body(Body("plate", make_block(Vector3(40., 25., 6.), {{4, 3, 1}}), {}));
+    Model model = model_of(Body("plate", make_block(Vector3(40., 25., 6.), {{4, 3, 1}}), {}));
     if (is_held)
       model.constraints.push_back(
         {"clamp", ConstraintKind::held, 0, model.bodies[0].node_set("x-")});

@@ -30,8 +30,7 @@ namespace
         if (auto &x = cell->vertex(v);
             x[0] > 1. && x[0] < 19. && x[1] > 1. && x[1] < 14. && x[2] > 1. && x[2] < 9.)
           x[v % 3] += .2;
-    Model model;
-    model.add_body(Body("block", std::move(mesh), {}));
+    Model model                = model_of(Body("block", std::move(mesh), {}));
     Body &body                 = model.bodies[0];
     body.placement.rotation    = rotation_about(Vector3(1., 2., 3.).normalized(), .7);
     body.placement.translation = Vector3(3., -2., 1.);
@@ -50,12 +49,11 @@ namespace
   /** A cylinder that is twisted at the top, held along the radius outside, under a torque. */
   Model make_twisted_rod()
   {
-    Model model;
-    model.add_body(Body("rod", make_cylinder(10., 8., {{2, 2, 2}}), {}));
-    const Body &body                     = model.bodies[0];
-    model.constraints                    = {hold(body.node_set("bottom"), {{true, true, true}}),
-                                            hold(body.node_set("top"), {{false, true, false}}, true),
-                                            hold(body.node_set("outer"), {{true, false, false}}, true)};
+    Model       model = model_of(Body("rod", make_cylinder(10., 8., {{2, 2, 2}}), {}));
+    const Body &body  = model.bodies[0];
+    model.constraints = {hold(body.node_set("bottom"), {{true, true, true}}),
+                         hold(body.node_set("top"), {{false, true, false}}, true),
+                         hold(body.node_set("outer"), {{true, false, false}}, true)};
     model.constraints[1].displacement[1] = 1e-3;
     model.loads                          = {pressure_on(body.node_set("top"), 10.)};
     model.torques.push_back(torque_on(model, "outer", 1e4));
@@ -124,13 +122,12 @@ namespace
   void stretch(const FemElement element, const TestRanks &ranks)
   {
     constexpr double strain = 1e-3;
-    Model            model;
-    model.add_body(Body("block", make_block(Vector3(2., 1.5, 1.), {{3, 3, 3}}), {}));
-    const Body &body                     = model.bodies[0];
-    model.constraints                    = {hold(body.node_set("x-"), {{true, false, false}}),
-                                            hold(body.node_set("x+"), {{true, false, false}}),
-                                            hold(body.node_set("y-"), {{false, true, false}}),
-                                            hold(body.node_set("z-"), {{false, false, true}})};
+    Model       model = model_of(Body("block", make_block(Vector3(2., 1.5, 1.), {{3, 3, 3}}), {}));
+    const Body &body  = model.bodies[0];
+    model.constraints = {hold(body.node_set("x-"), {{true, false, false}}),
+                         hold(body.node_set("x+"), {{true, false, false}}),
+                         hold(body.node_set("y-"), {{false, true, false}}),
+                         hold(body.node_set("z-"), {{false, false, true}})};
     model.constraints[1].displacement[0] = 2. * strain;
     FemOptions options       = make_options(element, FemGeometry::straight, {"y- 1", "x+ 2"});
     options.linear_tolerance = 1e-14;

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Points, faces and masses of finite elements of each degree on a cell with warped faces.
+#include "../model_parts.h"
 #include "../tests.h"
 
 #include <vfife/base/process/mpi_session.h>
@@ -20,9 +21,7 @@ namespace
       for (unsigned int v = 0; v < 8; ++v)
         for (unsigned int c = 0; c < 3; ++c)
           cell->vertex(v)[c] += .3 * std::sin(12.9898 * (v + 1) + 78.233 * c);
-    Model model;
-    model.add_body(Body("cell", std::move(mesh), Material()));
-    return model;
+    return model_of(Body("cell", std::move(mesh), Material()));
   }
 } // namespace
 

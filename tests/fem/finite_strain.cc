@@ -2,6 +2,7 @@
 // Elements under finite strain: derivatives of the energy, waves in a stretched medium, limits at
 // rest and under rigid rotation; stiffness in spin beside that of explicit dynamics' elements.
 #include "../element/samples.h"
+#include "../model_parts.h"
 #include "../parts.h"
 #include "../tests.h"
 
@@ -213,10 +214,9 @@ namespace
    */
   void wheel(const Communicator &communicator)
   {
-    Model model;
-    model.add_body(Body("wheel", make_ring(20., 60., 3., {{10, 60, 2}}), {}));
-    Body &body = model.bodies[0];
-    body.axis  = {Vector3::Zero(), Vector3::UnitZ()};
+    Model model = model_of(Body("wheel", make_ring(20., 60., 3., {{10, 60, 2}}), {}));
+    Body &body  = model.bodies[0];
+    body.axis   = {Vector3::Zero(), Vector3::UnitZ()};
     model.constraints.push_back({"hub", ConstraintKind::held, 0, body.node_set("inner")});
     FemOptions options;
     options.n_modes          = 12;
@@ -276,16 +276,15 @@ namespace
    * u = a x (X + u0) costs no energy. */
   void free_turn(const Communicator &communicator)
   {
-    Model model;
-    model.add_body(Body("wheel",
-                        make_moved(*make_ring(20., 40., 3., {{4, 18, 2}}),
-                                   "wheel",
-                                   [](const Vector3 &x) {
-                                     const double part = (x.head<2>().norm() - 20.) / 20.;
-                                     return Vector3(x[0] * (1. + .1 * part), x[1], x[2]);
-                                   }),
-                        {}));
-    const Body &body = model.bodies[0];
+    Model       model = model_of(Body("wheel",
+                                make_moved(*make_ring(20., 40., 3., {{4, 18, 2}}),
+                                           "wheel",
+                                           [](const Vector3 &x) {
+                                             const double part = (x.head<2>().norm() - 20.) / 20.;
+                                             return Vector3(x[0] * (1. + .1 * part), x[1], x[2]);
+                                           }),
+                                {}));
+    const Body &body  = model.bodies[0];
     Constraint  hub{"hub", ConstraintKind::rigid_hub, 0, {}};
     for (unsigned int i = 0; i < body.n_nodes(); ++i)
       if (body.node_positions()[i].head<2>().norm() < 20.1)

@@ -23,16 +23,12 @@ namespace
         if (auto &x = cell->vertex(v);
             x[0] > .1 && x[0] < 1.9 && x[1] > .1 && x[1] < 1.4 && x[2] > .1 && x[2] < .9)
           x[v % 3] += .02;
-    Model model;
-    model.add_body(Body("block", std::move(mesh), {}));
-    return model;
+    return model_of(Body("block", std::move(mesh), {}));
   }
 
   Model make_rod_model()
   {
-    Model model;
-    model.add_body(Body("rod", make_cylinder(10., 8., {{2, 2, 2}}), {}));
-    return model;
+    return model_of(Body("rod", make_cylinder(10., 8., {{2, 2, 2}}), {}));
   }
 
   /** A linear field on the whole body: constant stress, and no force but on the boundary; a

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Natural vibrations: annular plate with each element, free block, both eigenvalue solvers.
+#include "../model_parts.h"
 #include "../refusal.h"
 #include "../tests.h"
 
@@ -32,8 +33,7 @@ namespace
   {
     Material steel;
     steel.poissons_ratio = .3;
-    Model model;
-    model.add_body(Body("plate", make_ring(50., 100., 1., counts), steel));
+    Model model          = model_of(Body("plate", make_ring(50., 100., 1., counts), steel));
     model.constraints.push_back(
       {"clamp", ConstraintKind::held, 0, model.bodies[0].node_set("inner")});
     return model;
@@ -102,8 +102,7 @@ namespace
     for (const unsigned int i : body.node_set("inner"))
       inner.push_back(moved(i));
     std::sort(inner.begin(), inner.end());
-    Model model;
-    model.add_body(Body("plate", std::move(mesh), body.materials().front()));
+    Model model = model_of(Body("plate", std::move(mesh), body.materials().front()));
     model.constraints.push_back({"clamp", ConstraintKind::held, 0, inner});
     return model;
   }
@@ -153,8 +152,7 @@ namespace
     steel.youngs_modulus = 200000.;
     steel.poissons_ratio = .3;
     steel.density        = 8e-9;
-    Model model;
-    model.add_body(Body("plate", make_block(Vector3(1e4, 1e4, 1e3), counts), steel));
+    Model      model = model_of(Body("plate", make_block(Vector3(1e4, 1e4, 1e3), counts), steel));
     FemOptions options;
     options.element = element;
     options.n_modes = 10;
@@ -188,8 +186,7 @@ namespace
 
   void free_block(const Communicator &communicator)
   {
-    Model model;
-    model.add_body(Body("block", make_block(Vector3(60., 10., 8.), {{12, 3, 3}}), {}));
+    Model model = model_of(Body("block", make_block(Vector3(60., 10., 8.), {{12, 3, 3}}), {}));
     std::vector<double> reference;
     for (const EigenSolverKind kind : {EigenSolverKind::shift_invert, EigenSolverKind::lobpcg})
       for (const MassKind mass : {MassKind::consistent, MassKind::lumped})
@@ -229,8 +226,7 @@ namespace
 
   void messages(const Communicator &communicator)
   {
-    Model model;
-    model.add_body(Body("block", make_block(Vector3(1., 1., 1.), {{1, 1, 1}}), {}));
+    Model model = model_of(Body("block", make_block(Vector3(1., 1., 1.), {{1, 1, 1}}), {}));
     print_refusal([&] { solve(model, {}, communicator); });
   }
 } // namespace

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Vibrations at speed: membrane limit of a disc, Coriolis splitting of a ring, sector against body.
+#include "../model_parts.h"
 #include "../parts.h"
 #include "../refusal.h"
 #include "../tests.h"
@@ -21,8 +22,7 @@ namespace
   {
     Material steel;
     steel.poissons_ratio = .3;
-    Model model;
-    model.add_body(Body("disc", make_cylinder(100., 1., {{8, 8, 1}}), steel));
+    Model model          = model_of(Body("disc", make_cylinder(100., 1., {{8, 8, 1}}), steel));
     // The middle does not move in modes of two or more diameters.
     model.constraints.push_back(
       {"axis", ConstraintKind::held, 0, model.bodies[0].node_set("axis")});
@@ -76,8 +76,7 @@ namespace
    */
   void ring(const Communicator &communicator)
   {
-    Model model;
-    model.add_body(Body("ring", make_ring(49.5, 50.5, 4., {{1, 72, 1}}), {}));
+    Model      model = model_of(Body("ring", make_ring(49.5, 50.5, 4., {{1, 72, 1}}), {}));
     FemOptions options;
     options.n_modes         = 14;
     options.coriolis        = true;

@@ -195,10 +195,9 @@ namespace
     steel.density        = 7.8e-9;
     steel.youngs_modulus = 2e5;
     steel.poissons_ratio = 0.;
-    Model model;
-    model.add_body(Body("bar", make_block(Vector3(500., 10., 10.), {{50, 1, 1}}), steel));
-    Body &bar = model.bodies[0];
-    bar.rate  = 3000.;
+    Model model = model_of(Body("bar", make_block(Vector3(500., 10., 10.), {{50, 1, 1}}), steel));
+    Body &bar   = model.bodies[0];
+    bar.rate    = 3000.;
     model.constraints.push_back({"end", ConstraintKind::held, 0, bar.node_set("x-")});
     bar.axis.point = Vector3(0., 5., 5.);
     // Held straight: without stress stiffness the spin would bend it sideways.
@@ -248,9 +247,8 @@ namespace
   /** Torsion of a ring between a free rotation under torque and a held face. */
   void torsion(const Communicator &communicator)
   {
-    Model model;
-    model.add_body(Body("tube", make_ring(20., 22., 60., {{2, 48, 12}}), {}));
-    const Body &tube = model.bodies[0];
+    Model       model = model_of(Body("tube", make_ring(20., 22., 60., {{2, 48, 12}}), {}));
+    const Body &tube  = model.bodies[0];
     model.constraints.push_back({"bottom", ConstraintKind::held, 0, tube.node_set("bottom")});
     const Torque torque = torque_on(model, "top", 1e5);
     model.torques.push_back(torque);
@@ -284,8 +282,7 @@ namespace
    * the placement makes of its arm. */
   void torque_on_axis()
   {
-    Model model;
-    model.add_body(Body("bar", make_cylinder(8., 20., {{4, 1, 2}}), {}));
+    Model model                = model_of(Body("bar", make_cylinder(8., 20., {{4, 1, 2}}), {}));
     Body &bar                  = model.bodies[0];
     bar.placement.rotation     = rotation_about(Vector3(1., 2., 2.).normalized(), 1.3);
     bar.placement.translation  = Vector3(50., -20., 10.);
@@ -323,9 +320,7 @@ namespace
             x[0] += way * std::sin(12.9898 * (i + 1) + 78.233 * j);
             x[1] += way * std::sin(39.425 * (j + 2) + 11.137 * i);
           }
-    Model model;
-    model.add_body(Body("block", std::move(mesh), material));
-    return model;
+    return model_of(Body("block", std::move(mesh), material));
   }
 
   /** Largest difference between what a load does and what holds the field @p u, at points above

@@ -258,8 +258,7 @@ namespace
 
     // A tooth: 100 N along - y on the driver at (60, 0, 5), so + y on the driven member, whose axis
     // is parallel to z through (10, 0, 0).
-    Model model;
-    model.add_body({"driver", make_block(Vector3(1., 1., 1.), {{1, 1, 1}}), Material()});
+    Model model = model_of({"driver", make_block(Vector3(1., 1., 1.), {{1, 1, 1}}), Material()});
     model.add_body({"driven", make_block(Vector3(1., 1., 1.), {{1, 1, 1}}), Material()});
     model.bodies[1].axis = {Vector3(10., 0., 0.), Vector3::UnitZ()};
     ContactPair pair;

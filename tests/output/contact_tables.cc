@@ -24,8 +24,7 @@ namespace
   /** Rings of 24 teeth: the outer surface of the one slides on the inner one of the other. */
   Model make_model()
   {
-    Model model;
-    model.add_body(Body("pinion", make_ring(20, 30, 5, {{2, 24, 2}}), Material()));
+    Model model = model_of(Body("pinion", make_ring(20, 30, 5, {{2, 24, 2}}), Material()));
     model.add_body(Body("gear", make_ring(30, 40, 8, {{2, 24, 1}}), Material()));
     model.contacts.push_back(contact_of("drive", {0, "outer"}, {1, "inner"}));
     model.contacts.push_back(contact_of("coast", {1, "inner"}, {0, "outer"}));

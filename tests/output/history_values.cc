@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // history.csv and probes.csv of made-up measurements whose numbers all differ, read back: each
 // stands in its column, in the unit of the header.
+#include "../model_parts.h"
 #include "../tests.h"
 
 #include <vfife/base/process/communicator.h>
@@ -126,8 +127,7 @@ namespace
 
   void gear_pair(const OutputFolder &folder)
   {
-    Model model;
-    model.add_body(cube("pinion"));
+    Model model = model_of(cube("pinion"));
     model.add_body(cube("gear"));
     model.transmissions.emplace_back();
     model.transmissions.front().driver_rate  = 200 * pi; // 6000 rpm
@@ -151,8 +151,7 @@ namespace
 
   void general_model(const OutputFolder &folder)
   {
-    Model model;
-    model.add_body(cube("block"));
+    Model model = model_of(cube("block"));
     model.contacts.emplace_back();
     model.contacts[0].side = "joint";
     model.walls.emplace_back();
@@ -205,8 +204,7 @@ namespace
 
   void probes(const OutputFolder &folder)
   {
-    Model model;
-    model.add_body(cube("block"));
+    Model model = model_of(cube("block"));
     model.probes.push_back({"node A", 0, 0});
     model.probes.push_back({"node B", 0, 1});
     ProbeWriter writer(folder, 1);

@@ -27,9 +27,7 @@ namespace
   {
     Body ring("ring", make_ring(inner, outer, 5, {{10, 96, 1}}), Material());
     place_on_axis(ring, Vector3(1, 2, 3), Vector3(1, 2, 2));
-    Model model;
-    model.add_body(std::move(ring));
-    return model;
+    return model_of(std::move(ring));
   }
 
   /** @p turn: of the body by now [rad]. */

@@ -34,8 +34,7 @@ namespace
         if (slides && X[0] == 0)
           block.initial_velocity.back()[0] = 0;
       }
-    Model model;
-    model.add_body(std::move(block));
+    Model model = model_of(std::move(block));
     if (slides)
       model.constraints.push_back(hold(model.bodies[0].node_set("x-"), {{true, false, false}}));
     DynamicsOptions options = undamped();

@@ -29,8 +29,7 @@ namespace
   /** The paper's gear at 20,000 rpm on a rigid axle. */
   Model make_gear(const GearBodyOptions &options)
   {
-    Model model;
-    model.add_body(Body("gear", make_gear_body(paper::gear(), options), Material()));
+    Model model        = model_of(Body("gear", make_gear_body(paper::gear(), options), Material()));
     Body &body         = model.bodies[0];
     body.axis          = {Vector3::Zero(), Vector3::UnitZ()};
     body.turns_on_axis = true;

@@ -21,8 +21,7 @@ struct RootStresses
 /** The paper's pinion, held by its bore. */
 inline vfife::Model make_held_pinion(const vfife::GearBodyOptions &options)
 {
-  vfife::Model model;
-  model.add_body(
+  vfife::Model model = model_of(
     vfife::Body("pinion", vfife::make_gear_body(paper::pinion(), options), vfife::Material()));
   model.constraints.push_back(
     {"bore", vfife::ConstraintKind::held, 0, model.bodies[0].node_set(vfife::node_set::bore)});

@@ -153,8 +153,7 @@ namespace
         run_pair("pressure.prm", "kind", communicator, entries);
         const nlohmann::json summary = read_json("kind/summary.json");
         const auto           found   = summary.at("input conflicts").dump();
-        std::ifstream        file("kind/run.log");
-        const std::string    log((std::istreambuf_iterator<char>(file)), {});
+        const std::string    log     = read_text("kind/run.log");
         check(kind + ": input conflict in the summary",
               has_text(found, "1296 MPa, exceeds the limit of 1200 MPa"));
         check("in the log", has_text(log, "warning: input conflict: Hertzian pressure"));

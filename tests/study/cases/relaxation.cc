@@ -19,9 +19,8 @@ namespace
   /** A quarter of a plate with a hole, of steel, pulled by a nominal stress of 1 MPa. */
   Model make_model()
   {
-    Model model;
-    model.add_body(
-      Body("plate", read_body(tree_folder() + "/meshes/plate_with_hole.msh"), Material()));
+    Model model =
+      model_of(Body("plate", read_body(tree_folder() + "/meshes/plate_with_hole.msh"), Material()));
     const Body &plate = model.bodies.front();
     model.constraints = {hold(plate.node_set("symmetry x"), {{true, false, false}}),
                          hold(plate.node_set("symmetry y"), {{false, true, false}}),

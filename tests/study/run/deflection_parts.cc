@@ -350,8 +350,8 @@ namespace
   void penalty_lag()
   {
     constexpr double eps = 2e5, d0 = 1e-3, g = 4e-4, size = 5., axis = -30.;
-    Model            model;
-    model.add_body(Body("block", make_block(Vector3(size, size, 2), {{4, 4, 1}}), Material()));
+    Model            model =
+      model_of(Body("block", make_block(Vector3(size, size, 2), {{4, 4, 1}}), Material()));
     model.add_body(
       Body("plate", make_block(Vector3(9, 9, 2), {{9, 9, 1}}, Vector3(-2, -2, -2)), Material()));
     Body &block = model.bodies[0], &plate = model.bodies[1];
