@@ -10,15 +10,12 @@
 
 using namespace rigid_pair;
 
-namespace
+struct Density
 {
-  struct Density
-  {
-    const char  *name;
-    unsigned int gear_lengthwise, pinion_lengthwise, flank_rows;
-    double       true_flank, smooth_patches, flat_facets; ///< bounds of the difference [arcsec]
-  };
-} // namespace
+  const char  *name;
+  unsigned int gear_lengthwise, pinion_lengthwise, flank_rows;
+  double       true_flank, smooth_patches, flat_facets; ///< bounds of the difference [arcsec]
+};
 
 int main()
 {

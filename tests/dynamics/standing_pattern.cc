@@ -12,23 +12,20 @@
 
 using namespace vfife;
 
-namespace
+constexpr double rate = -700., radial = 0.02, tangential = 0.01, axial = 0.03, waves = 2.;
+
+struct Field
 {
-  constexpr double rate = -700., radial = 0.02, tangential = 0.01, axial = 0.03, waves = 2.;
+  Vector3 value, slope, curvature; ///< components r, theta, z [mm], [mm/rad], [mm/rad^2]
 
-  struct Field
+  explicit Field(const double phi)
   {
-    Vector3 value, slope, curvature; ///< components r, theta, z [mm], [mm/rad], [mm/rad^2]
-
-    explicit Field(const double phi)
-    {
-      const double c = std::cos(waves * phi), s = std::sin(waves * phi);
-      value     = Vector3(radial * c, tangential * s, axial * s);
-      slope     = waves * Vector3(-radial * s, tangential * c, axial * c);
-      curvature = -waves * waves * value;
-    }
-  };
-} // namespace
+    const double c = std::cos(waves * phi), s = std::sin(waves * phi);
+    value     = Vector3(radial * c, tangential * s, axial * s);
+    slope     = waves * Vector3(-radial * s, tangential * c, axial * c);
+    curvature = -waves * waves * value;
+  }
+};
 
 int main(int argc, char **argv)
 {

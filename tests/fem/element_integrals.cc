@@ -12,18 +12,15 @@
 
 using namespace vfife;
 
-namespace
+Model make_warped_cell()
 {
-  Model make_warped_cell()
-  {
-    auto mesh = make_block(Vector3(2., 3., 1.5), {{1, 1, 1}});
-    for (const auto &cell : mesh->triangulation.active_cell_iterators())
-      for (unsigned int v = 0; v < 8; ++v)
-        for (unsigned int c = 0; c < 3; ++c)
-          cell->vertex(v)[c] += .3 * std::sin(12.9898 * (v + 1) + 78.233 * c);
-    return model_of(Body("cell", std::move(mesh), Material()));
-  }
-} // namespace
+  auto mesh = make_block(Vector3(2., 3., 1.5), {{1, 1, 1}});
+  for (const auto &cell : mesh->triangulation.active_cell_iterators())
+    for (unsigned int v = 0; v < 8; ++v)
+      for (unsigned int c = 0; c < 3; ++c)
+        cell->vertex(v)[c] += .3 * std::sin(12.9898 * (v + 1) + 78.233 * c);
+  return model_of(Body("cell", std::move(mesh), Material()));
+}
 
 int main(int argc, char **argv)
 {

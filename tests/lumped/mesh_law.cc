@@ -8,23 +8,20 @@
 
 using namespace vfife;
 
-namespace
+Table loaded_contact(const double second)
 {
-  Table loaded_contact(const double second)
-  {
-    Table table;
-    for (const char *name : {"position",
-                             "unloaded transmission error",
-                             "transmission error",
-                             "contact torque on the gear",
-                             "tangent stiffness"})
-      table.add_column(name, "-");
-    table.add_row({0., 1., -80., 800., 2.3e6});
-    table.add_row({second, -2., -82., 800., 2.2e6});
-    table.add_row({2 * second, -1., -81.5, 800., 2.4e6});
-    return table;
-  }
-} // namespace
+  Table table;
+  for (const char *name : {"position",
+                           "unloaded transmission error",
+                           "transmission error",
+                           "contact torque on the gear",
+                           "tangent stiffness"})
+    table.add_column(name, "-");
+  table.add_row({0., 1., -80., 800., 2.3e6});
+  table.add_row({second, -2., -82., 800., 2.2e6});
+  table.add_row({2 * second, -1., -81.5, 800., 2.4e6});
+  return table;
+}
 
 int main()
 {

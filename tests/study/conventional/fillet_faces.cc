@@ -8,32 +8,29 @@
 
 using namespace vfife;
 
-namespace
+/** Displacements of all points: a field at their places in the fixed frame. */
+std::vector<double> displace(const FemSpace                                 &space,
+                             const std::function<Vector3(const Vector3 &x)> &field)
 {
-  /** Displacements of all points: a field at their places in the fixed frame. */
-  std::vector<double> displace(const FemSpace                                 &space,
-                               const std::function<Vector3(const Vector3 &x)> &field)
-  {
-    std::vector<double> u;
-    for (const Vector3 &x : space.points())
-      {
-        const Vector3 moved = field(x);
-        u.insert(u.end(), moved.data(), moved.data() + 3);
-      }
-    return u;
-  }
+  std::vector<double> u;
+  for (const Vector3 &x : space.points())
+    {
+      const Vector3 moved = field(x);
+      u.insert(u.end(), moved.data(), moved.data() + 3);
+    }
+  return u;
+}
 
-  /** Calls @p look for each facet of the fillets of some teeth. */
-  template <typename Look>
-  void for_facets(const RootStress &stress, const Look &look)
-  {
-    for (const MemberFillet &member : stress.fillets())
-      for (const unsigned int tooth : {0u, member.fillet.n_teeth() - 1})
-        for (unsigned int column = 0; column < member.fillet.n_columns(); ++column)
-          for (unsigned int row = Fillet::first_row; row < member.fillet.end_row(); ++row)
-            look(member, column, row, tooth);
-  }
-} // namespace
+/** Calls @p look for each facet of the fillets of some teeth. */
+template <typename Look>
+void for_facets(const RootStress &stress, const Look &look)
+{
+  for (const MemberFillet &member : stress.fillets())
+    for (const unsigned int tooth : {0u, member.fillet.n_teeth() - 1})
+      for (unsigned int column = 0; column < member.fillet.n_columns(); ++column)
+        for (unsigned int row = Fillet::first_row; row < member.fillet.end_row(); ++row)
+          look(member, column, row, tooth);
+}
 
 int main(int argc, char **argv)
 {

@@ -7,18 +7,15 @@
 
 #include <cstdlib>
 
-namespace
+/** What OpenBLAS says that it has chosen as it is loaded; empty where it is not the BLAS. */
+std::string kernels_of_program()
 {
-  /** What OpenBLAS says that it has chosen as it is loaded; empty where it is not the BLAS. */
-  std::string kernels_of_program()
-  {
-    // An empty file is refused as soon as the program is loaded.
-    std::ofstream("empty.prm") << "";
-    const std::string text = run_program({"env", program_file(), "empty.prm", "--check"}).text;
-    const auto        at   = text.find("Core: ");
-    return at == std::string::npos ? "" : text.substr(at + 6, text.find('\n', at) - at - 6);
-  }
-} // namespace
+  // An empty file is refused as soon as the program is loaded.
+  std::ofstream("empty.prm") << "";
+  const std::string text = run_program({"env", program_file(), "empty.prm", "--check"}).text;
+  const auto        at   = text.find("Core: ");
+  return at == std::string::npos ? "" : text.substr(at + 6, text.find('\n', at) - at - 6);
+}
 
 int main()
 {

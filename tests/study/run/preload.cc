@@ -9,30 +9,26 @@
 
 using namespace vfife;
 
-namespace
+std::map<std::string, std::vector<double>> start(const std::string &solver, Communicator &world)
 {
-  std::map<std::string, std::vector<double>> start(const std::string &solver, Communicator &world)
-  {
-    const std::string folder = "preload_" + solver;
-    if (world.is_root())
-      {
-        std::filesystem::remove_all(folder);
-        std::ofstream(folder + ".prm")
-          << few_teeth("set body type = conical web\nset web thickness = 5 mm\nset web inclination "
-                       "= 70 deg",
-                       coarse_web)
-          << "subsection Operation\n  set speed = 20000 rpm\n  set torque = 800 N m\nend\n"
-          << "subsection Dynamics\n  set maximum number of steps = 1\n  set start solver = "
-          << solver
-          << "\n  subsection Relaxation\n    set tolerance = 1e-6\n  end\nend\n"
-          // Of the first instant, not of the first step.
-          << "subsection Contact\n  set integration = explicit\nend\n";
-      }
-    world.barrier();
-    run_pair(folder + ".prm", folder, world);
-    return read_columns(folder + "/history.csv");
-  }
-} // namespace
+  const std::string folder = "preload_" + solver;
+  if (world.is_root())
+    {
+      std::filesystem::remove_all(folder);
+      std::ofstream(folder + ".prm")
+        << few_teeth("set body type = conical web\nset web thickness = 5 mm\nset web inclination "
+                     "= 70 deg",
+                     coarse_web)
+        << "subsection Operation\n  set speed = 20000 rpm\n  set torque = 800 N m\nend\n"
+        << "subsection Dynamics\n  set maximum number of steps = 1\n  set start solver = " << solver
+        << "\n  subsection Relaxation\n    set tolerance = 1e-6\n  end\nend\n"
+        // Of the first instant, not of the first step.
+        << "subsection Contact\n  set integration = explicit\nend\n";
+    }
+  world.barrier();
+  run_pair(folder + ".prm", folder, world);
+  return read_columns(folder + "/history.csv");
+}
 
 int main(int argc, char **argv)
 {
