@@ -2,12 +2,13 @@
 #ifndef vfife_tests_composite_h
 #define vfife_tests_composite_h
 
+#include "model_parts.h"
+
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/mesh/primitives/primitives.h>
 #include <vfife/model/model.h>
 
 #include <functional>
-#include <numeric>
 
 /** Material 1 where @p second holds at the middle of an element, material 0 elsewhere. */
 inline vfife::Body make_composite(std::unique_ptr<vfife::BodyMesh>                   mesh,
@@ -34,35 +35,12 @@ inline void set_strains(vfife::Body                                         &bod
   body.add_initial_strains(strains);
 }
 
-/** A constraint of the body 0 that holds the given directions. */
-inline vfife::Constraint hold(const std::vector<unsigned int> &nodes,
-                              const std::array<bool, 3>       &directions,
-                              const bool                       cylindrical = false)
-{
-  vfife::Constraint constraint;
-  constraint.name        = "support";
-  constraint.kind        = vfife::ConstraintKind::directions;
-  constraint.nodes       = nodes;
-  constraint.prescribed  = directions;
-  constraint.cylindrical = cylindrical;
-  return constraint;
-}
-
-inline std::vector<unsigned int> all_nodes(const vfife::Body &body)
-{
-  std::vector<unsigned int> nodes(body.n_nodes());
-  std::iota(nodes.begin(), nodes.end(), 0u);
-  return nodes;
-}
-
 /** A bar along x between two planes, hotter than them: sigma = -E strain. */
 inline vfife::Model make_heated_bar(const double strain)
 {
-  vfife::Model model;
-  model.add_body(vfife::Body("bar",
-                             vfife::make_block(vfife::Vector3(20, 3, 2), {{5, 2, 2}}),
-                             vfife::Material()));
-  vfife::Body &bar = model.bodies[0];
+  vfife::Model model = model_of(vfife::Body(
+    "bar", vfife::make_block(vfife::Vector3(20, 3, 2), {{5, 2, 2}}), vfife::Material()));
+  vfife::Body &bar   = model.bodies[0];
   set_strains(bar, [strain](const vfife::Vector3 &) { return strain; });
   for (const char *end : {"x-", "x+"})
     model.constraints.push_back(hold(bar.node_set(end), {{true, false, false}}));
@@ -175,10 +153,10 @@ inline vfife::Model make_layered_bar(const unsigned int n, const double length)
   steel.poissons_ratio = light.poissons_ratio = 0.;
   light.density                               = steel.density / 3.;
   light.youngs_modulus                        = steel.youngs_modulus / 3.;
-  vfife::Model model;
-  model.add_body(make_composite(vfife::make_block(vfife::Vector3(length, 1, 1), {{n, 1, 1}}),
-                                {steel, light},
-                                [length](const vfife::Vector3 &x) { return x[0] > .5 * length; }));
+  vfife::Model model =
+    model_of(make_composite(vfife::make_block(vfife::Vector3(length, 1, 1), {{n, 1, 1}}),
+                            {steel, light},
+                            [length](const vfife::Vector3 &x) { return x[0] > .5 * length; }));
   model.constraints.push_back(hold(all_nodes(model.bodies[0]), {{false, true, true}}));
   return model;
 }

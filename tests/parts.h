@@ -6,8 +6,15 @@
 
 #include <initializer_list>
 
-/** The parts of a test that run with MPI, one after the other: what main() does and returns. They
- * are handed the ranks, const or not. */
+/** The parts of a test, one after the other: what main() does and returns. */
+inline int run_parts(const std::initializer_list<void (*)()> parts)
+{
+  for (const auto part : parts)
+    part();
+  return 0;
+}
+
+/** The same with MPI: parts are handed the ranks, const or not, or nothing. */
 template <typename World>
 int run_parts(int argc, char **argv, const std::initializer_list<void (*)(World &)> parts)
 {
@@ -20,9 +27,7 @@ int run_parts(int argc, char **argv, const std::initializer_list<void (*)(World 
 inline int run_parts(int argc, char **argv, const std::initializer_list<void (*)()> parts)
 {
   const vfife::MpiSession session(argc, argv);
-  for (const auto part : parts)
-    part();
-  return 0;
+  return run_parts(parts);
 }
 
 #endif

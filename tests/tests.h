@@ -78,13 +78,20 @@ inline double largest_of(const std::initializer_list<double> numbers)
   return largest;
 }
 
+/** Raises a largest number to this one where it is larger, or NaN. */
+template <typename Number>
+void raise_to(Number &largest, const Number number)
+{
+  largest = largest_of(largest, number);
+}
+
 /** The largest magnitude of some numbers. */
 template <typename Numbers>
 double largest_size(const Numbers &numbers)
 {
   double largest = 0;
   for (const double number : numbers)
-    largest = largest_of(largest, std::abs(number));
+    raise_to(largest, std::abs(number));
   return largest;
 }
 
@@ -103,7 +110,7 @@ inline double largest_difference(const std::vector<double> &a, const std::vector
 {
   double largest = a.size() == b.size() ? 0. : HUGE_VAL;
   for (std::size_t i = 0; i < a.size() && i < b.size(); ++i)
-    largest = largest_of(largest, std::abs(a[i] - b[i]));
+    raise_to(largest, std::abs(a[i] - b[i]));
   return largest;
 }
 
@@ -117,6 +124,12 @@ inline double relative_difference(const std::vector<double> &a, const std::vecto
 inline void check_below(const std::string &name, const double value, const double bound)
 {
   check_close(name, value, 0., bound);
+}
+
+/** Two numbers must be equal within the tolerance of their ratio. */
+inline void check_ratio(const std::string &name, const double ratio, const double tolerance)
+{
+  check_close(name, ratio, 1., tolerance);
 }
 
 #endif

@@ -3,7 +3,6 @@
 #include "../refusal.h"
 #include "../tests.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/base/text/byte_stream.h>
 #include <vfife/base/text/table.h>
 
@@ -11,111 +10,108 @@
 
 using namespace vfife;
 
-namespace
+struct Values
 {
-  struct Values
-  {
-    double                                      number = 0;
-    bool                                        answer = false;
-    std::string                                 text;
-    Vector3                                     vector = Vector3::Zero();
-    RigidMotion                                 motion;
-    std::vector<std::vector<Vector3>>           lists;
-    std::vector<std::pair<std::string, double>> pairs;
+  double                                      number = 0;
+  bool                                        answer = false;
+  std::string                                 text;
+  Vector3                                     vector = Vector3::Zero();
+  RigidMotion                                 motion;
+  std::vector<std::vector<Vector3>>           lists;
+  std::vector<std::pair<std::string, double>> pairs;
 
-    void serialize(ByteStream &stream)
-    {
-      stream.pass(number, answer, text, vector, motion, lists, pairs);
-    }
-  };
-
-  template <typename Function>
-  void refuse(const Function &function)
+  void serialize(ByteStream &stream)
   {
-    print_refusal([&] { function(); });
+    stream.pass(number, answer, text, vector, motion, lists, pairs);
   }
-  struct Record
+};
+
+template <typename Function>
+void refuse(const Function &function)
+{
+  print_refusal([&] { function(); });
+}
+struct Record
+{
+  double one = 1, two = 2;
+};
+/** The same in a later version. */
+struct LongerRecord
+{
+  double one = 10, two = 20, three = 30;
+};
+
+/** Bytes between members are no values. */
+void padding()
+{
+  struct Padded
   {
-    double one = 1, two = 2;
+    bool   answer;
+    double number;
   };
-  /** The same in a later version. */
-  struct LongerRecord
-  {
-    double one = 10, two = 20, three = 30;
+  const auto bytes_of = [](const int filling) {
+    Padded padded;
+    std::memset(&padded, filling, sizeof(padded));
+    padded.answer = true;
+    padded.number = 1;
+    std::vector<Padded> several(2, padded), records = several;
+    Padded              record = padded;
+    ByteStream          out;
+    out.pass(padded, several);
+    out.pass_record(record);
+    out.pass_records(records);
+    return out.bytes();
   };
+  check("equal values: equal bytes", bytes_of(0) == bytes_of(0xff));
+}
 
-  /** Bytes between members are no values. */
-  void padding()
-  {
-    struct Padded
-    {
-      bool   answer;
-      double number;
-    };
-    const auto bytes_of = [](const int filling) {
-      Padded padded;
-      std::memset(&padded, filling, sizeof(padded));
-      padded.answer = true;
-      padded.number = 1;
-      std::vector<Padded> several(2, padded), records = several;
-      Padded              record = padded;
-      ByteStream          out;
-      out.pass(padded, several);
-      out.pass_record(record);
-      out.pass_records(records);
-      return out.bytes();
-    };
-    check("equal values: equal bytes", bytes_of(0) == bytes_of(0xff));
-  }
+/** Parts are found by their names, in any order; what is not there says so. */
+void parts()
+{
+  double     a = 1, b = 2;
+  ByteStream out;
+  out.pass_part("a", [&](ByteStream &part) { part.pass(a); });
+  out.pass_part("nobody asks", [&](ByteStream &part) { part.pass(a, b); });
+  out.pass_part("b", [&](ByteStream &part) { part.pass(b); });
+  a = b        = 0;
+  double     c = 3;
+  ByteStream in(out.bytes());
+  const bool found_b = in.pass_part("b", [&](ByteStream &part) { part.pass(b); });
+  const bool found_c = in.pass_part("c", [&](ByteStream &part) { part.pass(c); });
+  in.pass_required_part("a", [&](ByteStream &part) { part.pass(a); });
+  check("parts", found_b && !found_c && a == 1 && b == 2 && c == 3);
+  refuse([&] { in.pass_required_part("c", [&](ByteStream &part) { part.pass(c); }); });
 
-  /** Parts are found by their names, in any order; what is not there says so. */
-  void parts()
-  {
-    double     a = 1, b = 2;
-    ByteStream out;
-    out.pass_part("a", [&](ByteStream &part) { part.pass(a); });
-    out.pass_part("nobody asks", [&](ByteStream &part) { part.pass(a, b); });
-    out.pass_part("b", [&](ByteStream &part) { part.pass(b); });
-    a = b        = 0;
-    double     c = 3;
-    ByteStream in(out.bytes());
-    const bool found_b = in.pass_part("b", [&](ByteStream &part) { part.pass(b); });
-    const bool found_c = in.pass_part("c", [&](ByteStream &part) { part.pass(c); });
-    in.pass_required_part("a", [&](ByteStream &part) { part.pass(a); });
-    check("parts", found_b && !found_c && a == 1 && b == 2 && c == 3);
-    refuse([&] { in.pass_required_part("c", [&](ByteStream &part) { part.pass(c); }); });
-
-    Record     record{5, 6};
-    ByteStream short_one;
-    short_one.pass_record(record);
-    LongerRecord longer;
-    ByteStream   from_short(short_one.bytes());
-    from_short.pass_record(longer);
-    check("a record of before", longer.one == 5 && longer.two == 6 && longer.three == 30);
-    std::vector<Record>       records(2, record);
-    std::vector<LongerRecord> longer_ones;
-    ByteStream                several;
-    several.pass_records(records);
-    ByteStream from_several(several.bytes());
-    from_several.pass_records(longer_ones);
-    from_several.finish();
-    check("records of before",
-          longer_ones.size() == 2 && longer_ones[1].one == 5 && longer_ones[1].two == 6 &&
-            longer_ones[1].three == 30);
-    ByteStream longer_several;
-    longer_several.pass_records(longer_ones);
-    refuse([&] {
-      ByteStream from_longer(longer_several.bytes());
-      from_longer.pass_records(records);
-    });
-    ByteStream long_one;
-    long_one.pass_record(longer);
-    refuse([&] {
-      ByteStream from_long(long_one.bytes());
-      from_long.pass_record(record);
-    });
-  }
-} // namespace
+  Record     record{5, 6};
+  ByteStream short_one;
+  short_one.pass_record(record);
+  LongerRecord longer;
+  ByteStream   from_short(short_one.bytes());
+  from_short.pass_record(longer);
+  check("a record of before", longer.one == 5 && longer.two == 6 && longer.three == 30);
+  std::vector<Record>       records(2, record);
+  std::vector<LongerRecord> longer_ones;
+  ByteStream                several;
+  several.pass_records(records);
+  ByteStream from_several(several.bytes());
+  from_several.pass_records(longer_ones);
+  from_several.finish();
+  check("records of before",
+        longer_ones.size() == 2 && longer_ones[1].one == 5 && longer_ones[1].two == 6 &&
+          longer_ones[1].three == 30);
+  ByteStream longer_several;
+  longer_several.pass_records(longer_ones);
+  refuse([&] {
+    ByteStream from_longer(longer_several.bytes());
+    from_longer.pass_records(records);
+  });
+  ByteStream long_one;
+  long_one.pass_record(longer);
+  refuse([&] {
+    ByteStream from_long(long_one.bytes());
+    from_long.pass_record(record);
+  });
+}
 
 int main()
 {

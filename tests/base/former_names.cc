@@ -9,21 +9,18 @@
 
 using namespace vfife;
 
-namespace
+/** What a file becomes: "Section/name = value" by line, behind each the remark if there is one.
+ */
+void show(const std::string &text)
 {
-  /** What a file becomes: "Section/name = value" by line, behind each the remark if there is one.
-   */
-  void show(const std::string &text)
-  {
-    auto       statements = read_statements_of_text(text, "case.prm");
-    const auto replaced   = replace_former_names(statements);
-    for (const ParameterStatement &statement : statements)
-      if (!statement.opens_section)
-        std::cout << statement.path() << " = " << statement.value << std::endl;
-    for (const std::string &remark : replaced)
-      std::cout << "  " << remark << std::endl;
-  }
-} // namespace
+  auto       statements = read_statements_of_text(text, "case.prm");
+  const auto replaced   = replace_former_names(statements);
+  for (const ParameterStatement &statement : statements)
+    if (!statement.opens_section)
+      std::cout << statement.path() << " = " << statement.value << std::endl;
+  for (const std::string &remark : replaced)
+    std::cout << "  " << remark << std::endl;
+}
 
 int main()
 {

@@ -9,6 +9,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include "../parts.h"
 #include "../refusal.h"
 #include "../tests.h"
 
@@ -334,12 +335,11 @@ void check_misplaced_entries()
 
 int main()
 {
-  check_good_file();
-  check_first_pass();
-  check_words_for_zero();
-  check_wrong_values();
-  check_wrong_structure();
-  check_number_lists();
-  check_misplaced_entries();
-  return 0;
+  return run_parts({check_good_file,
+                    check_first_pass,
+                    check_words_for_zero,
+                    check_wrong_values,
+                    check_wrong_structure,
+                    check_number_lists,
+                    check_misplaced_entries});
 }

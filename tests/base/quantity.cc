@@ -11,9 +11,7 @@
 #include "../refusal.h"
 #include "../tests.h"
 
-#include <cmath>
 #include <sstream>
-#include <vector>
 
 using namespace vfife;
 
@@ -144,7 +142,7 @@ void check_definitions()
   for (const Definition &d : definitions)
     {
       const double inside = std::pow(1e3, d.length) * std::pow(1e-3, d.mass);
-      worst = largest_of(worst, std::abs(parse_quantity("1", d.name) / (d.size * inside) - 1));
+      raise_to(worst, std::abs(parse_quantity("1", d.name) / (d.size * inside) - 1));
     }
   check_below("factors of all units beside their definitions", worst, 1e-14);
 }
@@ -159,11 +157,11 @@ void check_texts()
   double worst = 0.;
   for (const Unit &unit : known_units())
     for (double value = 1.2345678901234567e-9; value < 1e12; value *= 7.1)
-      worst = largest_of(worst,
-                         std::abs(parse_quantity(quantity_text(value, unit.name) + " " + unit.name,
-                                                 unit.name) /
-                                    value -
-                                  1.));
+      raise_to(worst,
+               std::abs(
+                 parse_quantity(quantity_text(value, unit.name) + " " + unit.name, unit.name) /
+                   value -
+                 1.));
   check_below("texts of quantities read back", worst, 5e-16);
 
   bool exact = true;

@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // What main() is made of: the command line, what exceptions mean, exchange between ranks.
 
-#include <vfife/base/errors.h>
 #include <vfife/base/process/command_line.h>
 #include <vfife/base/process/failure.h>
 #include <vfife/base/process/mpi_session.h>

@@ -6,60 +6,54 @@
 
 #include <vfife/contact/law/contact_options.h>
 
-#include <algorithm>
 #include <functional>
 
 using namespace vfife;
 
-namespace
+bool refused(const std::function<void(ContactOptions &)> &spoil, const std::string &entry)
 {
-  bool refused(const std::function<void(ContactOptions &)> &spoil, const std::string &entry)
-  {
-    ContactOptions options;
-    spoil(options);
-    return entry_and_message_of([&] { options.check("Contact"); }).find(entry + ": ") == 0;
-  }
-  FrictionLawKind find_friction_law(const std::string &name)
-  {
-    const auto &laws = friction_laws();
-    return std::find_if(laws.begin(),
-                        laws.end(),
-                        [&](const auto &law) { return law.first == name; })
-      ->second;
-  }
-  /** At the voted step, elements (4/step^2) and springs together have the highest frequency that
-   * central differences allow; a spring moves one node at a wall, two between bodies. */
-  void check_vote()
-  {
-    const double step = 1e-7, mass_per_area = 3e-9;
-    for (const unsigned int n_moving : {1u, 2u})
-      {
-        PenaltyOptions    penalty(n_moving);
-        const std::string name   = n_moving == 1 ? "wall: " : "two bodies: ";
-        double            dt     = penalty.vote_of_stick(step);
-        const double      spring = PenaltyOptions::stick_value(mass_per_area, dt) / mass_per_area;
-        check_close(name + "frequency at the voted step, points that stick",
-                    (4. / (step * step) + n_moving * spring) * dt * dt,
-                    4.,
-                    1e-14);
-        check_close(name + "mass of a penalty",
-                    penalty.mass_per_area_for(spring * mass_per_area, dt),
-                    mass_per_area,
-                    1e-23);
-        penalty.value = 2e5;
-        dt            = penalty.vote_on_step(step, mass_per_area);
-        check_close(name + "frequency at the voted step, given penalty",
-                    (4. / (step * step) + n_moving * penalty.value / mass_per_area) * dt * dt,
-                    4.,
-                    1e-14);
-        // omega^2 = n k/m = (2 fraction)^2
-        check_close(name + "mass for a relaxation",
-                    n_moving * 3. / penalty.relaxation_mass(3., 0.8),
-                    1.6 * 1.6,
-                    1e-14);
-      }
-  }
-} // namespace
+  ContactOptions options;
+  spoil(options);
+  return entry_and_message_of([&] { options.check("Contact"); }).find(entry + ": ") == 0;
+}
+FrictionLawKind find_friction_law(const std::string &name)
+{
+  const auto &laws = friction_laws();
+  return std::find_if(laws.begin(), laws.end(), [&](const auto &law) { return law.first == name; })
+    ->second;
+}
+/** At the voted step, elements (4/step^2) and springs together have the highest frequency that
+ * central differences allow; a spring moves one node at a wall, two between bodies. */
+void check_vote()
+{
+  const double step = 1e-7, mass_per_area = 3e-9;
+  for (const unsigned int n_moving : {1u, 2u})
+    {
+      PenaltyOptions    penalty(n_moving);
+      const std::string name   = n_moving == 1 ? "wall: " : "two bodies: ";
+      double            dt     = penalty.vote_of_stick(step);
+      const double      spring = PenaltyOptions::stick_value(mass_per_area, dt) / mass_per_area;
+      check_close(name + "frequency at the voted step, points that stick",
+                  (4. / (step * step) + n_moving * spring) * dt * dt,
+                  4.,
+                  1e-14);
+      check_close(name + "mass of a penalty",
+                  penalty.mass_per_area_for(spring * mass_per_area, dt),
+                  mass_per_area,
+                  1e-23);
+      penalty.value = 2e5;
+      dt            = penalty.vote_on_step(step, mass_per_area);
+      check_close(name + "frequency at the voted step, given penalty",
+                  (4. / (step * step) + n_moving * penalty.value / mass_per_area) * dt * dt,
+                  4.,
+                  1e-14);
+      // omega^2 = n k/m = (2 fraction)^2
+      check_close(name + "mass for a relaxation",
+                  n_moving * 3. / penalty.relaxation_mass(3., 0.8),
+                  1.6 * 1.6,
+                  1e-14);
+    }
+}
 
 int main()
 {

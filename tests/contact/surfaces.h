@@ -241,8 +241,8 @@ namespace test_surfaces
           work += 0.5 * (slave.forces[k] + forces[k]) * (slave.positions[k] - positions[k]);
         if (i == 0)
           first = energy;
-        most      = largest_of(most, energy);
-        residual  = largest_of(residual, std::abs(work + energy - first));
+        raise_to(most, energy);
+        raise_to(residual, std::abs(work + energy - first));
         positions = slave.positions;
         forces    = slave.forces;
       }

@@ -6,21 +6,16 @@
 #include "../tests.h"
 #include "rigid_pair.h"
 
-#include <vfife/gear/unloaded_contact/unloaded_contact.h>
-
 #include <tuple>
 
 using namespace rigid_pair;
 
-namespace
+struct Density
 {
-  struct Density
-  {
-    const char  *name;
-    unsigned int gear_lengthwise, pinion_lengthwise, flank_rows;
-    double       true_flank, smooth_patches, flat_facets; ///< bounds of the difference [arcsec]
-  };
-} // namespace
+  const char  *name;
+  unsigned int gear_lengthwise, pinion_lengthwise, flank_rows;
+  double       true_flank, smooth_patches, flat_facets; ///< bounds of the difference [arcsec]
+};
 
 int main()
 {

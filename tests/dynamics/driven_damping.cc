@@ -11,62 +11,59 @@
 
 using namespace vfife;
 
-namespace
+constexpr double length = 20, height = 6, end = 1e-3, zeta = 4e4; // [mm], [mm], [s], [1/s]
+
+/** A bar along x, whose left end is moved at a constant rate from time zero on. */
+Model make_model(const bool turns)
 {
-  constexpr double length = 20, height = 6, end = 1e-3, zeta = 4e4; // [mm], [mm], [s], [1/s]
+  Model    model;
+  Material steel;
+  steel.poissons_ratio = 0;
+  Body bar("bar",
+           make_block(Vector3(length, height, height), {{10, 3, 3}}, Vector3(0, -height / 2, 0)),
+           steel);
+  bar.turns_on_axis = turns;
+  model.add_body(std::move(bar));
+  Constraint driven;
+  driven.name  = "driven";
+  driven.nodes = model.bodies[0].node_set("x-");
+  dealii::ParameterHandler prm;
+  driven.history.declare(prm);
+  prm.set("history", "t");
+  driven.history.check("driven");
+  if (turns)
+    {
+      driven.kind  = ConstraintKind::prescribed_rotation;
+      driven.angle = 1000.; // [rad/s]
+    }
+  else
+    {
+      driven.kind         = ConstraintKind::directions;
+      driven.prescribed   = {{true, true, true}};
+      driven.displacement = Vector3(1000., 0., 0.); // [mm/s]
+    }
+  model.constraints.push_back(driven);
+  return model;
+}
 
-  /** A bar along x, whose left end is moved at a constant rate from time zero on. */
-  Model make_model(const bool turns)
-  {
-    Model    model;
-    Material steel;
-    steel.poissons_ratio = 0;
-    Body bar("bar",
-             make_block(Vector3(length, height, height), {{10, 3, 3}}, Vector3(0, -height / 2, 0)),
-             steel);
-    bar.turns_on_axis = turns;
-    model.add_body(std::move(bar));
-    Constraint driven;
-    driven.name  = "driven";
-    driven.nodes = model.bodies[0].node_set("x-");
-    dealii::ParameterHandler prm;
-    driven.history.declare(prm);
-    prm.set("history", "t");
-    driven.history.check("driven");
-    if (turns)
-      {
-        driven.kind  = ConstraintKind::prescribed_rotation;
-        driven.angle = 1000.; // [rad/s]
-      }
-    else
-      {
-        driven.kind         = ConstraintKind::directions;
-        driven.prescribed   = {{true, true, true}};
-        driven.displacement = Vector3(1000., 0., 0.); // [mm/s]
-      }
-    model.constraints.push_back(driven);
-    return model;
-  }
-
-  /** Displacement of the right end from where the left end takes it, along x and y of the bar [mm].
-   */
-  Vector3 find_lag(const Model &model, const double angle, const double way)
-  {
-    DynamicsOptions options = undamped();
-    options.damping         = zeta;
-    OneSolver run(model, options);
-    auto      none = watch(1000, [](const State &) {});
-    run.solver.run(run.state, end, none);
-    const Matrix3 turned = rotation_about(Vector3::UnitZ(), angle * run.state.time);
-    Vector3       lag    = Vector3::Zero();
-    const Body   &bar    = model.bodies[0];
-    for (const unsigned int node : bar.node_set("x+"))
-      lag += turned.transpose() * (run.state.node_position(run.state.partition->local_node[node]) -
-                                   Vector3(way * run.state.time, 0, 0)) -
-             bar.node_positions()[node];
-    return lag / bar.node_set("x+").size();
-  }
-} // namespace
+/** Displacement of the right end from where the left end takes it, along x and y of the bar [mm].
+ */
+Vector3 find_lag(const Model &model, const double angle, const double way)
+{
+  DynamicsOptions options = undamped();
+  options.damping         = zeta;
+  OneSolver run(model, options);
+  auto      none = watch(1000, [](const State &) {});
+  run.solver.run(run.state, end, none);
+  const Matrix3 turned = rotation_about(Vector3::UnitZ(), angle * run.state.time);
+  Vector3       lag    = Vector3::Zero();
+  const Body   &bar    = model.bodies[0];
+  for (const unsigned int node : bar.node_set("x+"))
+    lag += turned.transpose() * (run.state.node_position(run.state.partition->local_node[node]) -
+                                 Vector3(way * run.state.time, 0, 0)) -
+           bar.node_positions()[node];
+  return lag / bar.node_set("x+").size();
+}
 
 int main(int argc, char **argv)
 {
@@ -84,9 +81,8 @@ int main(int argc, char **argv)
   const Vector3 lag = find_lag(make_model(true), 1000., 0.);
   check_below("turned bar: lag over that of a drag", lag[1] / bend, 1e-5);
   // Centrifugal force, rho Omega^2 L^3/(3 E).
-  check_close("turned bar: extension",
+  check_ratio("turned bar: extension",
               lag[0] / (steel.density * 1e6 * std::pow(length, 3) / (3 * steel.youngs_modulus)),
-              1.,
               0.02);
   return 0;
 }

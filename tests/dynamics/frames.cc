@@ -10,52 +10,49 @@
 
 using namespace vfife;
 
-namespace
+const Vector3    size(20, 10, 4);
+constexpr double rate = 20000;
+
+struct Spin
 {
-  const Vector3    size(20, 10, 4);
-  constexpr double rate = 20000;
+  double  leak = 0; ///< change of the angular momentum over itself
+  Vector3 corner;   ///< place of the corner that starts at the origin
+};
 
-  struct Spin
-  {
-    double  leak = 0; ///< change of the angular momentum over itself
-    Vector3 corner;   ///< place of the corner that starts at the origin
-  };
+/** @p turned: the block stands on its head, turned by 180 degrees about its short axis in the
+ * body frame: numbering then starts at the opposite edge of the same block. */
+Spin spin(const FrameKind frame, const bool turned)
+{
+  Model model;
+  Body  block("block", make_block(size, {{8, 4, 2}}), Material());
+  if (turned)
+    {
+      block.placement.rotation    = rotation_about(Vector3::UnitZ(), pi);
+      block.placement.translation = Vector3(size[0], size[1], 0);
+    }
+  block.axis.point = 0.5 * size;
+  block.rate       = rate;
+  model.add_body(std::move(block));
+  DynamicsOptions options = undamped();
+  options.frame           = frame;
+  options.safety          = 0.5;
+  OneSolver run(model, options);
+  Vector3   first     = Vector3::Zero(), last;
+  auto      observers = watch(1, [&](const State &state) {
+    if (state.step == 0)
+      first = state.measured.angular_momentum;
+    last = state.measured.angular_momentum;
+  });
+  run.solver.run(run.state, 2 * pi / rate, observers);
 
-  /** @p turned: the block stands on its head, turned by 180 degrees about its short axis in the
-   * body frame: numbering then starts at the opposite edge of the same block. */
-  Spin spin(const FrameKind frame, const bool turned)
-  {
-    Model model;
-    Body  block("block", make_block(size, {{8, 4, 2}}), Material());
-    if (turned)
-      {
-        block.placement.rotation    = rotation_about(Vector3::UnitZ(), pi);
-        block.placement.translation = Vector3(size[0], size[1], 0);
-      }
-    block.axis.point = 0.5 * size;
-    block.rate       = rate;
-    model.add_body(std::move(block));
-    DynamicsOptions options = undamped();
-    options.frame           = frame;
-    options.safety          = 0.5;
-    OneSolver run(model, options);
-    Vector3   first     = Vector3::Zero(), last;
-    auto      observers = watch(1, [&](const State &state) {
-      if (state.step == 0)
-        first = state.measured.angular_momentum;
-      last = state.measured.angular_momentum;
-    });
-    run.solver.run(run.state, 2 * pi / rate, observers);
-
-    Spin          result;
-    const Vector3 start(turned ? size[0] : 0, turned ? size[1] : 0, 0);
-    result.leak = (last - first).norm() / first.norm();
-    for (unsigned int n = 0; n < model.bodies[0].n_nodes(); ++n)
-      if ((model.bodies[0].node_positions()[n] - start).norm() < 1e-9)
-        result.corner = run.state.node_position(run.state.partition->local_node[n]);
-    return result;
-  }
-} // namespace
+  Spin          result;
+  const Vector3 start(turned ? size[0] : 0, turned ? size[1] : 0, 0);
+  result.leak = (last - first).norm() / first.norm();
+  for (unsigned int n = 0; n < model.bodies[0].n_nodes(); ++n)
+    if ((model.bodies[0].node_positions()[n] - start).norm() < 1e-9)
+      result.corner = run.state.node_position(run.state.partition->local_node[n]);
+  return result;
+}
 
 int main(int argc, char **argv)
 {

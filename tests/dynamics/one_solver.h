@@ -2,6 +2,8 @@
 #ifndef vfife_tests_dynamics_one_solver_h
 #define vfife_tests_dynamics_one_solver_h
 
+#include "../model_parts.h"
+
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/timers.h>
@@ -38,12 +40,8 @@ inline vfife::ContactPair contact_of(const std::string              &side,
                                      const std::string              &master_surface,
                                      const vfife::ContactSurfaceKind kind)
 {
-  vfife::ContactPair pair;
-  pair.side            = side;
-  pair.slave_surface   = slave_surface;
-  pair.master_body     = 1;
-  pair.master_surface  = master_surface;
-  pair.options.surface = kind;
+  vfife::ContactPair pair = contact_of(side, {0, slave_surface}, {1, master_surface});
+  pair.options.surface    = kind;
   return pair;
 }
 

@@ -12,23 +12,20 @@
 
 using namespace vfife;
 
-namespace
+constexpr double rate = -700., radial = 0.02, tangential = 0.01, axial = 0.03, waves = 2.;
+
+struct Field
 {
-  constexpr double rate = -700., radial = 0.02, tangential = 0.01, axial = 0.03, waves = 2.;
+  Vector3 value, slope, curvature; ///< components r, theta, z [mm], [mm/rad], [mm/rad^2]
 
-  struct Field
+  explicit Field(const double phi)
   {
-    Vector3 value, slope, curvature; ///< components r, theta, z [mm], [mm/rad], [mm/rad^2]
-
-    explicit Field(const double phi)
-    {
-      const double c = std::cos(waves * phi), s = std::sin(waves * phi);
-      value     = Vector3(radial * c, tangential * s, axial * s);
-      slope     = waves * Vector3(-radial * s, tangential * c, axial * c);
-      curvature = -waves * waves * value;
-    }
-  };
-} // namespace
+    const double c = std::cos(waves * phi), s = std::sin(waves * phi);
+    value     = Vector3(radial * c, tangential * s, axial * s);
+    slope     = waves * Vector3(-radial * s, tangential * c, axial * c);
+    curvature = -waves * waves * value;
+  }
+};
 
 int main(int argc, char **argv)
 {
@@ -78,9 +75,9 @@ int main(int argc, char **argv)
   for (unsigned int n = 0; n < body.n_nodes(); ++n)
     {
       const std::uint32_t i = run.state.partition->local_node[n];
-      largest               = largest_of(largest, velocity[n].norm());
-      wrong_velocity = largest_of(wrong_velocity, (velocities.value(i) - velocity[n]).norm());
-      wrong_force    = largest_of(wrong_force, (forces.value(i) + 2. * acceleration[n]).norm());
+      raise_to(largest, velocity[n].norm());
+      raise_to(wrong_velocity, (velocities.value(i) - velocity[n]).norm());
+      raise_to(wrong_force, (forces.value(i) + 2. * acceleration[n]).norm());
     }
   // error of the fourth-order differences, (waves h)^4/30 with h = 2 pi/27
   const double error = std::pow(waves * 2. * pi / 27., 4) / 30.;
@@ -96,7 +93,7 @@ int main(int argc, char **argv)
   pattern.add_velocities(none);
   largest = 0.;
   for (unsigned int n = 0; n < body.n_nodes(); ++n)
-    largest = largest_of(largest, none.value(n).norm());
+    raise_to(largest, none.value(n).norm());
   check("no pattern about another axis", largest == 0.);
   return 0;
 }

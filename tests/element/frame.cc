@@ -6,20 +6,17 @@
 #include "../tests.h"
 #include "samples.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/element/frame.h>
 
 #include <Eigen/LU>
 
 using namespace vfife;
 
-namespace
-{
-  constexpr StiffnessKind kind = StiffnessKind::incompatible_modes;
+constexpr StiffnessKind kind = StiffnessKind::incompatible_modes;
 
-  /** What the kernel of the best instruction set gives for one element (in lane 3). */
-  struct KernelElement
-  {
+/** What the kernel of the best instruction set gives for one element (in lane 3). */
+struct KernelElement
+{
     KernelElement(const HexahedronNodes &X, const FrameKind frame)
       : kernels(select_kernels(frame, best_instruction_set()))
     {
@@ -52,19 +49,19 @@ namespace
     SamplePacks           packs;
     const ElementKernels &kernels;
     double                energy = 0.; ///< of the last call
-  };
+};
 
-  double moment_defect(const HexahedronNodes &x, const HexahedronNodes &f)
-  {
+double moment_defect(const HexahedronNodes &x, const HexahedronNodes &f)
+{
     Vector3 moment = Vector3::Zero();
     for (unsigned int a = 0; a < 8; ++a)
       moment += (x.col(a) - x.col(0)).cross(f.col(a));
     return moment.norm() / (f.cwiseAbs().maxCoeff() * (x.col(7) - x.col(0)).norm());
-  }
+}
 
-  /** Largest difference between the kernel's force and the derivative of its energy, relative. */
-  double derivative_defect(KernelElement &element, const HexahedronNodes &x)
-  {
+/** Largest difference between the kernel's force and the derivative of its energy, relative. */
+double derivative_defect(KernelElement &element, const HexahedronNodes &x)
+{
     const HexahedronNodes f      = element.forces(x);
     const double          h      = 1e-4;
     double                defect = 0.;
@@ -82,13 +79,13 @@ namespace
             }
           const double derivative =
             (energy[0] - 8. * energy[1] + 8. * energy[2] - energy[3]) / (12. * h);
-          defect = largest_of(defect, std::abs(derivative + f(i, a)));
+        raise_to(defect, std::abs(derivative + f(i, a)));
         }
     return defect / f.cwiseAbs().maxCoeff();
-  }
+}
 
-  void check_frame(const FrameKind frame, const bool verbose)
-  {
+void check_frame(const FrameKind frame, const bool verbose)
+{
     const std::string name = word_of(frame, frame_choices()) + ": ";
     Samples           samples;
     double            rigid = 0., rotation_error = 0., force_sum = 0., objectivity = 0.;
@@ -102,8 +99,7 @@ namespace
 
         const Matrix3         Q     = samples.rotation();
         const HexahedronNodes moved = (Q * X).colwise() + 10. * samples.vector();
-        rotation_error =
-          largest_of(rotation_error, (compute_frame(frame, X, moved) - Q).cwiseAbs().maxCoeff());
+      raise_to(rotation_error, (compute_frame(frame, X, moved) - Q).cwiseAbs().maxCoeff());
         rigid =
           largest_of({rigid,
                       element.forces(moved).cwiseAbs().maxCoeff() / scale,
@@ -114,15 +110,13 @@ namespace
             const HexahedronNodes x =
               (Q * (X + samples.displacement(0.5 * strain))).colwise() - Q * X.col(0);
             const HexahedronNodes f = element.forces(x);
-            force_sum =
-              largest_of(force_sum,
-                         f.rowwise().sum().cwiseAbs().maxCoeff() / f.cwiseAbs().maxCoeff());
+          raise_to(force_sum, f.rowwise().sum().cwiseAbs().maxCoeff() / f.cwiseAbs().maxCoeff());
             const Matrix3 turn = samples.rotation();
-            objectivity        = largest_of(objectivity,
+          raise_to(objectivity,
                                      (element.forces(turn * x) - turn * f).cwiseAbs().maxCoeff() /
                                        f.cwiseAbs().maxCoeff());
-            moment[order]      = largest_of(moment[order], moment_defect(x, f));
-            derivative[order]  = largest_of(derivative[order], derivative_defect(element, x));
+          raise_to(moment[order], moment_defect(x, f));
+          raise_to(derivative[order], derivative_defect(element, x));
             ++order;
           }
       }
@@ -154,11 +148,11 @@ namespace
                   defect[1] > 5. * defect[0] && defect[1] < 20. * defect[0]);
           }
       }
-  }
+}
 
-  /** Same element, nodes numbered from another corner (turned by 90 degrees about zeta). */
-  void check_numbering(const bool verbose)
-  {
+/** Same element, nodes numbered from another corner (turned by 90 degrees about zeta). */
+void check_numbering(const bool verbose)
+{
     const unsigned int renumbered[8] = {1, 3, 0, 2, 5, 7, 4, 6};
     Samples            samples;
     double             difference[n_frame_kinds] = {0., 0.}, between_frames = 0.;
@@ -180,12 +174,11 @@ namespace
             const auto      row   = static_cast<unsigned int>(frame);
             by_frame[row]         = f;
             for (unsigned int a = 0; a < 8; ++a)
-              difference[row] =
-                largest_of(difference[row],
+            raise_to(difference[row],
                            (other.col(a) - f.col(renumbered[a])).cwiseAbs().maxCoeff() /
                              f.cwiseAbs().maxCoeff());
           }
-        between_frames = largest_of(between_frames,
+      raise_to(between_frames,
                                     (by_frame[0] - by_frame[1]).cwiseAbs().maxCoeff() /
                                       by_frame[0].cwiseAbs().maxCoeff());
       }
@@ -197,11 +190,11 @@ namespace
           difference[1] > 1e-5 && difference[1] < 1e-2);
     check("the frames differ by the order of the strain",
           between_frames > 1e-5 && between_frames < 1e-2);
-  }
+}
 
-  /** The polar kernel, series and exact rotation, against the exact reference, over strain. */
-  void check_series(const bool verbose)
-  {
+/** The polar kernel, series and exact rotation, against the exact reference, over strain. */
+void check_series(const bool verbose)
+{
     for (const double strain : {1e-3, 1e-2, 2e-2, 5e-2, 1e-1, 2e-1, 5e-1})
       {
         Samples samples;
@@ -218,8 +211,7 @@ namespace
               samples.rotation() * (X + stretch * X + samples.displacement(0.1 * strain));
             const Matrix24        K        = compute_stiffness(X, Material(), kind);
             const HexahedronNodes expected = compute_internal_forces(K, X, x, FrameKind::polar);
-            error                          = largest_of(
-              error,
+          raise_to(error,
               (KernelElement(X, FrameKind::polar).forces(x) - expected).cwiseAbs().maxCoeff() /
                 expected.cwiseAbs().maxCoeff());
           }
@@ -232,8 +224,7 @@ namespace
                     error,
                     2e-14 / strain + left_out);
       }
-  }
-} // namespace
+}
 
 int main(int argc, char **)
 {

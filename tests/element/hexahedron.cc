@@ -16,14 +16,13 @@ int main()
   // Coordinates of some millimetres: round-off of sums of products is below 1e-13.
   const HexahedronNodes X     = samples.hexahedron({1., 2., 3.}, 0.2, {5., -4., 3.});
   const Vector3         point = 0.9 * samples.vector();
-  check_close("shape functions sum to one", shape_functions(point).sum(), 1., 1e-14);
+  check_ratio("shape functions sum to one", shape_functions(point).sum(), 1e-14);
   check_below("gradients sum to zero",
               reference_gradients(point).rowwise().sum().cwiseAbs().maxCoeff(),
               1e-14);
   double interpolation = 0.;
   for (unsigned int a = 0; a < 8; ++a)
-    interpolation =
-      largest_of(interpolation, (X * shape_functions(reference_corner(a)) - X.col(a)).norm());
+    raise_to(interpolation, (X * shape_functions(reference_corner(a)) - X.col(a)).norm());
   check_below("shape functions interpolate the nodes", interpolation, 1e-13);
   const double    h = 1e-5;
   HexahedronNodes difference;

@@ -9,29 +9,26 @@
 
 #include <vfife/element/frame.h>
 
-#include <algorithm>
 #include <cstdlib>
 
 using namespace vfife;
 
-namespace
+/** Largest differences over the elements of a run, relative to the round-off scales. */
+struct Differences
 {
-  /** Largest differences over the elements of a run, relative to the round-off scales. */
-  struct Differences
-  {
     double force    = 0.; ///< over |K| x largest coordinate
     double energy   = 0.; ///< over |K| x largest coordinate x largest displacement
     double jacobian = 0.; ///< of the corners' least one
-  };
+};
 
-  /**
+/**
    * 21 elements on nodes of their own in three packs, the last one with three empty lanes; shared:
    * eight rotated copies a pack. Coordinates near 100 mm, sides of 1 to 3 mm, strains up to @p
    * strain.
    */
-  Differences
-  compare(const InstructionSet set, const FrameKind frame, const bool shared, const double strain)
-  {
+Differences
+compare(const InstructionSet set, const FrameKind frame, const bool shared, const double strain)
+{
     const unsigned int n_elements = 21, n_packs = 3;
     Samples            samples;
     const Material     material;
@@ -61,7 +58,7 @@ namespace
           }
         x[e] = (samples.rotation() * (X[e] + samples.displacement(0.5 * strain))).colwise() +
                samples.vector();
-        largest_coordinate = largest_of(largest_coordinate, x[e].cwiseAbs().maxCoeff());
+      raise_to(largest_coordinate, x[e].cwiseAbs().maxCoeff());
         for (unsigned int a = 0; a < 8; ++a)
           {
             packs.set_node(pack, lane, a, 8 * e + a);
@@ -99,8 +96,7 @@ namespace
         const HexahedronNodes expected = compute_internal_forces(K[e], X[e], x[e], frame);
         const double          scale    = K[e].cwiseAbs().maxCoeff() * largest_coordinate;
         for (unsigned int a = 0; a < 8; ++a)
-          differences.force =
-            largest_of(differences.force,
+        raise_to(differences.force,
                        (SamplePacks::at(forces, 8 * e + a) - Vector3::Ones() - expected.col(a))
                            .cwiseAbs()
                            .maxCoeff() /
@@ -108,19 +104,17 @@ namespace
         double least = std::numeric_limits<double>::infinity();
         for (unsigned int a = 0; a < 8; ++a)
           least = std::min(least, compute_jacobian(x[e], reference_corner(a)).determinant());
-        differences.jacobian =
-          largest_of(differences.jacobian, std::abs(jacobians[e] / least - 1.));
-        differences.energy =
-          largest_of(differences.energy,
+      raise_to(differences.jacobian, std::abs(jacobians[e] / least - 1.));
+      raise_to(differences.energy,
                      std::abs(energies[e] - compute_strain_energy(K[e], X[e], x[e], frame)) /
                        (scale * strain));
       }
     return differences;
-  }
+}
 
-  /** Two lanes of a pack that are the same element on the same nodes: forces must add up. */
-  double shared_nodes(const InstructionSet set)
-  {
+/** Two lanes of a pack that are the same element on the same nodes: forces must add up. */
+double shared_nodes(const InstructionSet set)
+{
     Samples               samples;
     const Material        material;
     const HexahedronNodes X = samples.hexahedron({1., 2., 3.}, 0.15);
@@ -145,22 +139,21 @@ namespace
     const HexahedronNodes f          = compute_internal_forces(K, X, x, FrameKind::polar);
     double                difference = 0.;
     for (unsigned int a = 0; a < 8; ++a)
-      difference =
-        largest_of(difference, (SamplePacks::at(forces, a) - 8. * f.col(a)).cwiseAbs().maxCoeff());
+    raise_to(difference, (SamplePacks::at(forces, a) - 8. * f.col(a)).cwiseAbs().maxCoeff());
     return difference / f.cwiseAbs().maxCoeff();
-  }
+}
 
-  bool choice_refused(const char *word)
-  {
+bool choice_refused(const char *word)
+{
     setenv("VFIFE_INSTRUCTION_SET", word, 1);
     const bool refused = refuses([] { best_instruction_set(); });
     unsetenv("VFIFE_INSTRUCTION_SET");
     return refused;
-  }
+}
 
-  /** With @p verbose the numbers themselves. */
-  void compare_all(const InstructionSet set, const bool verbose)
-  {
+/** With @p verbose the numbers themselves. */
+void compare_all(const InstructionSet set, const bool verbose)
+{
     for (const auto &choice : frame_choices())
       {
         const FrameKind frame = choice.second;
@@ -169,10 +162,10 @@ namespace
         for (const bool shared : {false, true})
           {
             const Differences d = compare(set, frame, shared, 1e-3);
-            worst.force         = largest_of(worst.force, d.force);
-            worst.energy        = largest_of(worst.energy, d.energy);
-            worst.jacobian      = largest_of(worst.jacobian, d.jacobian);
-            large_strain        = largest_of(large_strain, compare(set, frame, shared, 2e-2).force);
+          raise_to(worst.force, d.force);
+          raise_to(worst.energy, d.energy);
+          raise_to(worst.jacobian, d.jacobian);
+          raise_to(large_strain, compare(set, frame, shared, 2e-2).force);
           }
         const double      repeated = shared_nodes(set);
         const std::string name = std::string(name_of(set)) + ", " + word_of(frame, frame_choices());
@@ -187,8 +180,7 @@ namespace
         check_below("forces at strains of a few percent of " + name, large_strain, 2e-15);
         check_below("lanes that share nodes of " + name, repeated, 1e-10);
       }
-  }
-} // namespace
+}
 
 int main(int argc, char **argv)
 {

@@ -13,30 +13,27 @@
 
 using namespace vfife;
 
-namespace
+void traits(const Communicator &communicator, const std::size_t n_rows, const SparseMatrix &K)
 {
-  void traits(const Communicator &communicator, const std::size_t n_rows, const SparseMatrix &K)
-  {
-    const auto out    = Teuchos::rcp(new Anasazi::BasicOutputManager<double>(Anasazi::Warnings));
-    const auto x      = Teuchos::rcp(new vfife::Columns(communicator, n_rows, 3));
-    const auto matrix = Teuchos::rcpFromRef<const ColumnOperator>(K);
-    check("Anasazi's test of vectors", Anasazi::TestMultiVecTraits<double, vfife::Columns>(out, x));
-    check("Anasazi's test of operators",
-          Anasazi::TestOperatorTraits<double, vfife::Columns, ColumnOperator>(out, x, matrix));
+  const auto out    = Teuchos::rcp(new Anasazi::BasicOutputManager<double>(Anasazi::Warnings));
+  const auto x      = Teuchos::rcp(new vfife::Columns(communicator, n_rows, 3));
+  const auto matrix = Teuchos::rcpFromRef<const ColumnOperator>(K);
+  check("Anasazi's test of vectors", Anasazi::TestMultiVecTraits<double, vfife::Columns>(out, x));
+  check("Anasazi's test of operators",
+        Anasazi::TestOperatorTraits<double, vfife::Columns, ColumnOperator>(out, x, matrix));
 
-    // Vectors that are not one behind the other, one of them twice.
-    Anasazi::MultiVecTraits<double, vfife::Columns>::MvRandom(*x);
-    vfife::Columns  view = x->view({2, 0, 2});
-    Eigen::MatrixXd copy;
-    check("a view has the vectors named, in their order",
-          view.matrix(copy).col(0) == (*x)[2] && view.matrix(copy).col(1) == (*x)[0]);
-    const Eigen::MatrixXd all = x->products(*x), some = view.products(*x);
-    check("its products are the same ones",
-          some.row(0) == some.row(2) && (some.row(0) - all.row(2)).norm() < 1e-14 * all.norm());
-    view[1] *= 2.;
-    check("a view shares the memory", std::abs(x->dot(*x)[0] - 4 * all(0, 0)) < 1e-13 * all(0, 0));
-  }
-} // namespace
+  // Vectors that are not one behind the other, one of them twice.
+  Anasazi::MultiVecTraits<double, vfife::Columns>::MvRandom(*x);
+  vfife::Columns  view = x->view({2, 0, 2});
+  Eigen::MatrixXd copy;
+  check("a view has the vectors named, in their order",
+        view.matrix(copy).col(0) == (*x)[2] && view.matrix(copy).col(1) == (*x)[0]);
+  const Eigen::MatrixXd all = x->products(*x), some = view.products(*x);
+  check("its products are the same ones",
+        some.row(0) == some.row(2) && (some.row(0) - all.row(2)).norm() < 1e-14 * all.norm());
+  view[1] *= 2.;
+  check("a view shares the memory", std::abs(x->dot(*x)[0] - 4 * all(0, 0)) < 1e-13 * all(0, 0));
+}
 
 int main(int argc, char **argv)
 {

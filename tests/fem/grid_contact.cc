@@ -20,12 +20,10 @@
 
 using namespace vfife;
 
-namespace
-{
-  /** z = curvature_x (x - x0)^2/2 + curvature_y (y - y0)^2/2 into a block, which lies above
+/** z = curvature_x (x - x0)^2/2 + curvature_y (y - y0)^2/2 into a block, which lies above
    * (into = 1) or below (-1). */
-  struct Curved
-  {
+struct Curved
+{
     Vector2 curvatures, apex;
     double  into;
 
@@ -51,12 +49,12 @@ namespace
         }
       return delta;
     }
-  };
+};
 
-  /** A block of n x n x layers cells of the size h, its surface "flank" curved. */
-  std::unique_ptr<BodyMesh>
-  make_curved_block(const Curved &shape, const unsigned int n, const unsigned int layers, double h)
-  {
+/** A block of n x n x layers cells of the size h, its surface "flank" curved. */
+std::unique_ptr<BodyMesh>
+make_curved_block(const Curved &shape, const unsigned int n, const unsigned int layers, double h)
+{
     auto                   mesh = std::make_unique<BodyMesh>();
     std::vector<Vector3>   nodes;
     std::vector<CellNodes> cells;
@@ -122,15 +120,15 @@ namespace
             }
       }
     return mesh;
-  }
+}
 
-  bool verbose = false; // says the numbers
+bool verbose = false; // says the numbers
 
-  const ElasticLayer steel{206000., 0.29, {}}, bronze{110000., 0.34, {}};
+const ElasticLayer steel{206000., 0.29, {}}, bronze{110000., 0.34, {}};
 
-  /** Two blocks, the upper one of steel, the slave. */
-  struct Blocks
-  {
+/** Two blocks, the upper one of steel, the slave. */
+struct Blocks
+{
     Model                                           model;
     std::unique_ptr<Compliance>                     compliance;
     std::array<std::unique_ptr<SurfaceGeometry>, 2> surfaces;
@@ -153,11 +151,8 @@ namespace
           model.add_body(Body(b == 0 ? "upper" : "lower",
                               make_curved_block(shapes[b], cells[b], cells[b] * 3 / 4, h),
                               material));
-          Constraint far;
-          far.name  = "far";
-          far.body  = b;
-          far.nodes = model.bodies[b].node_set("far");
-          model.constraints.push_back(far);
+        model.constraints.push_back(
+          {"far", ConstraintKind::held, b, model.bodies[b].node_set("far")});
         }
       compliance = std::make_unique<Compliance>(model, FemOptions(), false, communicator);
       const FemSpace           &d = compliance->space();
@@ -215,9 +210,7 @@ namespace
                        const Vector2     &at    = Vector2::Zero())
     {
       ContactLoad load;
-      load.flexibility = [this](const std::vector<unsigned int> &rows) {
-        return flexibility(rows);
-      };
+    load.flexibility = [this](const std::vector<unsigned int> &rows) { return flexibility(rows); };
       load.forces = Eigen::VectorXd::Zero(3 * compliance->watched().size());
       load.arm    = [](const Vector3 &, const Vector3 &) { return 1.; };
       load.load   = force;
@@ -247,17 +240,17 @@ namespace
         surfaces[b]->bind({bent[b].data(), nullptr, {}});
       return find_grid_pressures({contact}, load, cells_across).front();
     }
-  };
+};
 
-  /** Largest pressure, half axes (by second moments; one over the square root of five of an axis on
+/** Largest pressure, half axes (by second moments; one over the square root of five of an axis on
    * an ellipse) over Hertz's. */
-  struct Compared
-  {
+struct Compared
+{
     double  pressure;
     Vector2 axes;
-  };
-  Compared compare(const GridPressure &found, const HertzContact &hertz, const double force)
-  {
+};
+Compared compare(const GridPressure &found, const HertzContact &hertz, const double force)
+{
     Vector3 centre = Vector3::Zero();
     double  sum    = 0.;
     for (std::size_t i = 0; i < found.cells.size(); ++i)
@@ -276,48 +269,48 @@ namespace
       }
     return {found.pressures[found.largest()] / hertz.largest_pressure(force),
             Vector2((5. * moments).cwiseSqrt().cwiseQuotient(hertz.semi_axes(force)))};
-  }
+}
 
-  double modulus()
-  {
+double modulus()
+{
     return contact_modulus(steel.youngs_modulus,
                            steel.poissons_ratio,
                            bronze.youngs_modulus,
                            bronze.poissons_ratio);
-  }
+}
 
-  void check_hertz(const std::string  &name,
+void check_hertz(const std::string  &name,
                    const GridPressure &found,
                    const HertzContact &hertz,
                    const double        force)
-  {
+{
     const Compared over = compare(found, hertz, force);
-    check_close(name + ", force", found.force / force, 1., 1e-10);
-    check_close(name + ", largest pressure", over.pressure, 1., 0.015);
-    check_close(name + ", longer half axis", over.axes[0], 1., 0.015);
-    check_close(name + ", shorter half axis", over.axes[1], 1., 0.015);
+  check_ratio(name + ", force", found.force / force, 1e-10);
+  check_ratio(name + ", largest pressure", over.pressure, 0.015);
+  check_ratio(name + ", longer half axis", over.axes[0], 0.015);
+  check_ratio(name + ", shorter half axis", over.axes[1], 0.015);
     if (verbose)
       std::cerr << name << ": " << std::fixed << std::setprecision(4) << over.pressure << " "
                 << over.axes.transpose() << ", closing " << found.closing / hertz.approach(force)
                 << ", " << found.cells.size() << " cells" << std::endl;
-  }
+}
 
-  /** Elements over the width of two blocks, which is so many half axes, and depth of the layers in
+/** Elements over the width of two blocks, which is so many half axes, and depth of the layers in
    * half axes. */
-  struct Elements
-  {
+struct Elements
+{
     std::array<unsigned int, 2> cells;
     double                      width, depth;
-  };
+};
 
-  const double force = 3000.;
+const double force = 3000.;
 
-  void check_pair(const std::string           &name,
+void check_pair(const std::string           &name,
                   const std::array<Curved, 2> &shapes,
                   const Vector2               &curvatures,
                   const std::vector<Elements> &meshes,
                   const Communicator          &communicator)
-  {
+{
     const HertzContact hertz(curvatures, modulus());
     const double       a = hertz.semi_axes(force)[1];
     for (const Elements &mesh : meshes)
@@ -328,23 +321,22 @@ namespace
         Blocks blocks(shapes, mesh.cells, mesh.width * a, mesh.depth * a, communicator);
         check_hertz(text.str(), blocks.press(force, 16), hertz, force);
       }
-  }
+}
 
-  /** Spheres @p distance half axes from an edge of both blocks, or from both edges at a corner:
+/** Spheres @p distance half axes from an edge of both blocks, or from both edges at a corner:
    * pressure and approach over Hertz's, whatever the depth of the layers. Layers that end there, or
    * that go on in closed form alone, give another one for each depth. */
-  void check_edge(const double        distance,
+void check_edge(const double        distance,
                   const bool          at_corner,
                   const double        closing,
                   const double        most_pressure,
                   const Communicator &communicator)
-  {
+{
     const HertzContact          hertz(Vector2(.03, .03), modulus());
     const double                a = hertz.semi_axes(force)[0], width = 12. * a;
     const double                x = .5 * width - distance * a;
     const Vector2               at(x, at_corner ? x : -.17);
-    const std::array<Curved, 2> spheres{
-      {{Vector2(.01, .01), at, 1.}, {Vector2(.02, .02), at, -1.}}};
+  const std::array<Curved, 2> spheres{{{Vector2(.01, .01), at, 1.}, {Vector2(.02, .02), at, -1.}}};
     for (const double depth : {0., 3.})
       {
         Blocks             blocks(spheres, {{8, 8}}, width, depth * a, communicator);
@@ -362,11 +354,11 @@ namespace
                     .018 * closing);
         check_below(name.str() + "largest pressure", over, most_pressure);
       }
-  }
+}
 
-  /** Beyond two edges of a plate that meet at a corner the quarter between them is filled, once. */
-  void check_corner_layer()
-  {
+/** Beyond two edges of a plate that meet at a corner the quarter between them is filled, once. */
+void check_corner_layer()
+{
     constexpr unsigned int    n = 3, rows = 2;
     LayerElements             layer;
     std::vector<unsigned int> patch;
@@ -408,12 +400,12 @@ namespace
           squares.size() == (n + rows) * (n + rows) &&
             layer.elements.size() == (n + rows) * (n + rows) &&
             squares.count({{n + rows - 1, n + rows - 1}}) == 1);
-  }
+}
 
-  /** The cells converge; forces that have bent the bodies before, as springs of a contact by
+/** The cells converge; forces that have bent the bodies before, as springs of a contact by
    * penalties would, leave no trace. */
-  void check_one_pair(const std::array<Curved, 2> &shapes, const Communicator &communicator)
-  {
+void check_one_pair(const std::array<Curved, 2> &shapes, const Communicator &communicator)
+{
     const HertzContact  hertz(Vector2(.03, .03), modulus());
     const double        a = hertz.semi_axes(force)[0];
     Blocks              blocks(shapes, {{8, 8}}, 24. * a, 3. * a, communicator);
@@ -429,14 +421,12 @@ namespace
     for (const Vector2 &at : {Vector2(0., 0.), Vector2(3. * a, 0.)})
       {
         const GridPressure bent = blocks.press(force, 16, force, at);
-        check_close("bent before, largest pressure",
+      check_ratio("bent before, largest pressure",
                     bent.pressures[bent.largest()] / plain.pressures[plain.largest()],
-                    1.,
                     2e-3);
-        check_close("bent before, closing", bent.closing / plain.closing, 1., 2e-3);
+      check_ratio("bent before, closing", bent.closing / plain.closing, 2e-3);
       }
-  }
-} // namespace
+}
 
 int main(int argc, char **argv)
 {

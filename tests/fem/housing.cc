@@ -19,13 +19,11 @@
 
 using namespace vfife;
 
-namespace
-{
-  using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-  /** A positive matrix that joins all of 6 n displacements [mm] and turns [rad]. */
-  Eigen::MatrixXd make_housing(const unsigned int n)
-  {
+/** A positive matrix that joins all of 6 n displacements [mm] and turns [rad]. */
+Eigen::MatrixXd make_housing(const unsigned int n)
+{
     std::mt19937                           random(7);
     std::uniform_real_distribution<double> between(-1., 1.);
     Eigen::MatrixXd                        root(6 * n, 6 * n);
@@ -33,21 +31,21 @@ namespace
       for (unsigned int j = 0; j < 6 * n; ++j)
         root(i, j) = between(random) * (i % 6 < 3 ? 100. : 3000.);
     return root * root.transpose() + Eigen::MatrixXd(3e3 * Eigen::MatrixXd::Identity(6 * n, 6 * n));
-  }
+}
 
-  std::vector<unsigned int> outer_nodes(const Body &body, const double from, const double to)
-  {
+std::vector<unsigned int> outer_nodes(const Body &body, const double from, const double to)
+{
     std::vector<unsigned int> nodes;
     for (const unsigned int node : body.node_set("outer"))
       if (body.node_positions()[node].z() > from - 1e-6 &&
           body.node_positions()[node].z() < to + 1e-6)
         nodes.push_back(node);
     return nodes;
-  }
+}
 
-  void add_bearing(
+void add_bearing(
     Model &model, const double from, const double to, const double radial, const Vector5 &preload)
-  {
+{
     const unsigned int b = model.bodies.size() - 1;
     Matrix5            K = Vector5(radial, 1.7 * radial, .6 * radial, 4e6, 7e6).asDiagonal();
     K(0, 3) = K(3, 0) = 2e2 * std::sqrt(radial);
@@ -58,11 +56,11 @@ namespace
     bearing.axes  = axes_along(model.bodies[b].axis.direction);
     bearing.law   = std::make_shared<LinearBearing>(K, Matrix5::Zero(), preload);
     model.bearings.push_back(bearing);
-  }
+}
 
-  /** Hollow shafts of 80 mm side by side, each driven at its end. */
-  Model make_shafts(const unsigned int n)
-  {
+/** Hollow shafts of 80 mm side by side, each driven at its end. */
+Model make_shafts(const unsigned int n)
+{
     Vector5 preload;
     preload << 300., -200., 500., 4000., -1000.;
     Model model;
@@ -83,12 +81,12 @@ namespace
       }
     model.housing = make_housing(model.bearings.size());
     return model;
-  }
+}
 
-  /** All displacements of all bodies, then those of the housing's seats. */
-  class Dense
-  {
-  public:
+/** All displacements of all bodies, then those of the housing's seats. */
+class Dense
+{
+public:
     Dense(const Model &model, const FemSpace &points)
       : model_(model)
       , n_(3 * points.n_points())
@@ -98,11 +96,9 @@ namespace
     {
       for (unsigned int e = 0; e < points.n_elements(); ++e)
         {
-          const Eigen::MatrixXd k = compute_fem_stiffness(points.element_nodes(e),
-                                                          points.material(e),
-                                                          points.element()),
-                                m = expand_coefficients(
-                                  compute_mass_coefficients(points.element_nodes(e),
+        const Eigen::MatrixXd
+          k = compute_fem_stiffness(points.element_nodes(e), points.material(e), points.element()),
+          m = expand_coefficients(compute_mass_coefficients(points.element_nodes(e),
                                                             points.material(e).density,
                                                             MassKind::consistent),
                                   Matrix3::Identity());
@@ -133,8 +129,7 @@ namespace
         }
       for (const Coupling &coupling : model.couplings)
         {
-          const Eigen::RowVectorXd turn =
-            model.bodies[coupling.body].axis.direction.transpose() *
+        const Eigen::RowVectorXd turn = model.bodies[coupling.body].axis.direction.transpose() *
             motion(points, coupling.body, coupling.nodes).bottomRows(3);
           K += coupling.stiffness * turn.transpose() * turn;
         }
@@ -172,11 +167,10 @@ namespace
       return law.load - law.stiffness * ways[bearing] * x;
     }
 
-  private:
+private:
     /** Of the ring's centre, six rows over all unknowns. */
-    Eigen::MatrixXd motion(const FemSpace                  &points,
-                           const unsigned int               b,
-                           const std::vector<unsigned int> &nodes) const
+  Eigen::MatrixXd
+  motion(const FemSpace &points, const unsigned int b, const std::vector<unsigned int> &nodes) const
     {
       const Body                &body   = model_.bodies[b];
       const std::vector<double>  areas  = compute_area_shares(body, nodes);
@@ -205,22 +199,22 @@ namespace
     Eigen::MatrixXd              K, M;
     Eigen::VectorXd              load;
     std::vector<Eigen::MatrixXd> ways;
-  };
+};
 
-  /** A force askew on some nodes of the first shaft. */
-  std::vector<Vector3> make_forces(const Model &model)
-  {
+/** A force askew on some nodes of the first shaft. */
+std::vector<Vector3> make_forces(const Model &model)
+{
     std::vector<Vector3> forces(model.n_nodes(), Vector3::Zero());
     for (const unsigned int node : outer_nodes(model.bodies[0], 40., 50.))
       forces[node] = Vector3(30., -70., 20.);
     return forces;
-  }
+}
 
-  void compare(const std::string               &name,
+void compare(const std::string               &name,
                const Model                     &model,
                const std::vector<unsigned int> &bodies,
                const Communicator              &world)
-  {
+{
     FemOptions fem;
     fem.linear_solver = LinearSolverKind::direct;
     const StaticSolver solver(model, bodies, fem, world);
@@ -250,15 +244,15 @@ namespace
       if (model.bearings[s].body < bodies.size())
         {
           const Vector3 force = model.bearings[s].axes * dense.load_of(s, x).head<3>();
-          apart               = largest_of(apart, (reactions[first + s].force - force).norm());
+        raise_to(apart, (reactions[first + s].force - force).norm());
           largest             = std::max(largest, force.norm());
         }
     // A shaft that nothing loads is held by none.
     check_below(name + ": forces of the bearings", apart / largest, 1e-8);
-  }
+}
 
-  void beam(Communicator &world)
-  {
+void beam(Communicator &world)
+{
     Model model = make_shafts(1);
     compare("two bearings", model, {0}, world);
 
@@ -270,24 +264,23 @@ namespace
     const std::vector<double> kept     = {expected[0], expected[5]};
     double                    apart    = 0;
     for (unsigned int k = 0; k < 6; ++k)
-      apart = largest_of(apart, std::abs(found.modes[k].frequency / expected[k] - 1));
+    raise_to(apart, std::abs(found.modes[k].frequency / expected[k] - 1));
     check_below("two bearings: six lowest modes", apart, 1e-7);
     model.housing.resize(0, 0);
     const ModesAtSpeed rigid = RotatingBody(model, 0, fem, world).find_modes(0.);
-    check("a rigid housing makes other modes",
-          std::abs(rigid.modes[0].frequency / kept[0] - 1) > .1);
-  }
+  check("a rigid housing makes other modes", std::abs(rigid.modes[0].frequency / kept[0] - 1) > .1);
+}
 
-  void two_shafts(Communicator &world)
-  {
+void two_shafts(Communicator &world)
+{
     const Model model = make_shafts(2);
     compare("two shafts", model, {0, 1}, world);
     compare("one, the other held", model, {0}, world);
-  }
+}
 
-  /** One sector of a shaft whose bearings, alike across the axis, share a housing that is. */
-  void sector(Communicator &world)
-  {
+/** One sector of a shaft whose bearings, alike across the axis, share a housing that is. */
+void sector(Communicator &world)
+{
     Model model = make_shafts(1);
     for (Bearing &bearing : model.bearings)
       {
@@ -297,8 +290,7 @@ namespace
     model.housing.setZero();
     for (unsigned int i = 0; i < 12; ++i)
       for (const unsigned int j : {i, (i + 6) % 12})
-        model.housing(i, j) =
-          (i % 6 < 3 ? 2e4 : 3e6) * (i % 3 == 2 ? 2. : 1.) * (i == j ? 1. : -.6);
+      model.housing(i, j) = (i % 6 < 3 ? 2e4 : 3e6) * (i % 3 == 2 ? 2. : 1.) * (i == j ? 1. : -.6);
     FemOptions fem;
     fem.n_modes           = 10;
     const auto whole      = RotatingBody(model, 0, fem, world).find_modes(0.);
@@ -306,14 +298,13 @@ namespace
     const auto of_sectors = RotatingBody(model, 0, fem, world).find_modes(0.);
     double     apart      = 0;
     for (unsigned int k = 0; k < 10; ++k)
-      apart =
-        largest_of(apart, std::abs(of_sectors.modes[k].frequency / whole.modes[k].frequency - 1));
+    raise_to(apart, std::abs(of_sectors.modes[k].frequency / whole.modes[k].frequency - 1));
     check_below("one sector: frequencies", apart, 1e-8);
-  }
+}
 
-  /** The mean by many turns: of one body with both its rings, of two bodies each by itself. */
-  void mean(Communicator &)
-  {
+/** The mean by many turns: of one body with both its rings, of two bodies each by itself. */
+void mean(Communicator &)
+{
     Model model = make_shafts(2);
     add_bearing(model, 60., 70., 5e4, Vector5::Zero());
     model.housing = make_housing(3);
@@ -354,11 +345,10 @@ namespace
     const Eigen::VectorXd load   = system.linearized().load;
     double                apart  = 0;
     for (std::size_t s = 0; s < 3; ++s)
-      apart = largest_of(
-        apart, (load.segment<3>(6 * s) - model.bearings[s].axes * exact.loads[s].head<3>()).norm());
+    raise_to(apart,
+             (load.segment<3>(6 * s) - model.bearings[s].axes * exact.loads[s].head<3>()).norm());
     check_below("loads of undisplaced shafts [N]", apart, 1e-8);
-  }
-} // namespace
+}
 
 int main(int argc, char **argv)
 {

@@ -130,7 +130,7 @@ inline double unbalanced(const vfife::Model &model, const vfife::PairEquilibrium
       for (std::size_t b = 0; b < model.bearings.size(); ++b)
         if (model.bearings[b].body == body)
           sum += model.bearings[b].axes * result.bearings[b].load.head<3>();
-      largest = largest_of(largest, sum.norm() / contact.norm());
+      raise_to(largest, sum.norm() / contact.norm());
     }
   return largest;
 }
@@ -166,7 +166,7 @@ inline double unbalanced_moment(const vfife::Model                 &model,
   for (unsigned int body = 0; body < 2; ++body)
     {
       const Vector3 &axis = model.bodies[body].axis.direction;
-      largest             = largest_of(largest, (sums[body] - sums[body].dot(axis) * axis).norm());
+      raise_to(largest, (sums[body] - sums[body].dot(axis) * axis).norm());
     }
   return largest / (100 * contact);
 }

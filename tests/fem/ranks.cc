@@ -31,9 +31,9 @@ int main(int argc, char **argv)
       const ModesAtSpeed single     = RotatingBody(model, 0, options, alone).find_modes(wheel.rate);
       double             difference = 0;
       for (unsigned int k = 0; k < options.n_modes; ++k)
-        difference = largest_of(difference,
-                                std::abs(together.modes[k].frequency - single.modes[k].frequency) /
-                                  single.modes.back().frequency);
+        raise_to(difference,
+                 std::abs(together.modes[k].frequency - single.modes[k].frequency) /
+                   single.modes.back().frequency);
       // The first one is the rotation, zero to the square root of round-off.
       check_below(cyclic ? "frequencies, one sector" : "frequencies, body", difference, 1e-6);
     }

@@ -115,7 +115,7 @@ void check_edges(const std::string &name,
         {
           const double p    = contact.path()[end] + direction * beyond;
           const double rot1 = contact.flanks().reference() + p * contact.flanks().pitch();
-          worst = largest_of(worst, std::abs(contact.lag(p) - search.least_lag(rot1)) / arcsecond);
+          raise_to(worst, std::abs(contact.lag(p) - search.least_lag(rot1)) / arcsecond);
           check(here + ": carries later than the flank that is not there",
                 contact.lag(p) > contact.flanks().contact(rot1, 0).lag);
         }
@@ -143,10 +143,9 @@ void check_driving(const GearPair &pair)
   for (unsigned int i = 0; i < 41; ++i)
     {
       const double lag = -forward.second[40 - i];
-      worst            = largest_of(worst, std::abs(back.second[i] + lag / ratio));
-      worst_angle =
-        largest_of(worst_angle,
-                   std::abs(back.first[i] - (-ratio * forward.first[40 - i] + lag / 3600.)));
+      raise_to(worst, std::abs(back.second[i] + lag / ratio));
+      raise_to(worst_angle,
+               std::abs(back.first[i] - (-ratio * forward.first[40 - i] + lag / 3600.)));
     }
   check_below("driving gear: lag of the pinion at its own axis [arcsec]", worst, 1e-9);
   check_below("driving gear: angle [deg]", worst_angle, 1e-12);

@@ -5,7 +5,6 @@
 #include "paper_pair.h"
 
 #include <vfife/gear/flank_points.h>
-#include <vfife/gear/spiral_bevel/gear_pair.h>
 
 using namespace vfife;
 
@@ -30,18 +29,16 @@ void check_member(const std::string &name, const GearMember &member)
       const double L = table.numbers("L")[row], h = table.numbers("h")[row];
       const double end = member.blank().coordinates_of(
         member.fillet_point(side, L, member.fillet_end(side)).position)[1];
-      L_off =
-        largest_of(L_off,
-                   std::abs(L - (blank.mean_cone_distance + blank.face_width * (i / 3. - .5))));
-      h_off = largest_of(h_off, std::abs(h - (end + (blank.addendum(L) - end) * j / 2.)));
+      raise_to(L_off, std::abs(L - (blank.mean_cone_distance + blank.face_width * (i / 3. - .5))));
+      raise_to(h_off, std::abs(h - (end + (blank.addendum(L) - end) * j / 2.)));
       // 2. The point is there, ...
       const Vector3 x = vector_at("x", "y", "z", row);
-      place_off       = largest_of(place_off, (blank.coordinates_of(x) - Vector2(L, h)).norm());
+      raise_to(place_off, (blank.coordinates_of(x) - Vector2(L, h)).norm());
       // 3. ... its normal is across the flank by differences of two neighbours, and leaves the
       // tooth: round the axis the tooth lies on the other side.
       const Vector3 n    = vector_at("normal x", "normal y", "normal z", row);
       const double  step = 1e-4, inside = i == 0 ? step : -step, below = j == 0 ? step : -step;
-      length = largest_of(length, std::abs(n.norm() - 1.));
+      raise_to(length, std::abs(n.norm() - 1.));
       slope =
         largest_of({slope,
                     std::abs(n.dot(member.flank_point(side, L + inside, h).position - x) / step),

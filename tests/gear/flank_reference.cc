@@ -8,7 +8,6 @@
 #include <fstream>
 #include <map>
 #include <sstream>
-#include <vector>
 
 using namespace vfife;
 
@@ -52,17 +51,17 @@ void check_reference(const std::string      &name,
       {
         const auto          &n     = row.numbers; // i,j,L,h,t,phi,s,x,y,z,nx,ny,nz
         const GeneratedPoint point = flank.point_at(n[2], n[3]);
-        position                   = largest_of(position, distance(n, 7, point.position));
-        normal                     = largest_of(normal, distance(n, 10, point.normal));
-        parameters = largest_of(parameters, distance(n, 4, {point.t, point.phi, point.s}));
+        raise_to(position, distance(n, 7, point.position));
+        raise_to(normal, distance(n, 10, point.normal));
+        raise_to(parameters, distance(n, 4, {point.t, point.phi, point.s}));
       }
   for (const Row &row : fillet_rows)
     if (row.flank == name)
       {
         const auto          &n     = row.numbers; // L,lambda,t,phi,x,y,z,nx,ny,nz
         const GeneratedPoint point = flank.fillet_at(n[0], n[1]);
-        fillet                     = largest_of(fillet, distance(n, 4, point.position));
-        fillet_normal              = largest_of(fillet_normal, distance(n, 7, point.normal));
+        raise_to(fillet, distance(n, 4, point.position));
+        raise_to(fillet_normal, distance(n, 7, point.normal));
       }
   // the tables are rounded to 1e-9 mm in positions and in h, 1e-12 in normals
   check_below(name + " position [mm]", position, 1e-8);

@@ -126,20 +126,20 @@ Differences compare(const MachineSettings &settings, const Blank &blank)
         {
           const GeneratedPoint point =
             flank.point_at(L, -blank.dedendum(L) + y * (blank.addendum(L) + blank.dedendum(L)));
-          largest.flank = largest_of(
-            largest.flank,
-            std::abs(distance_from_envelope(point.position, point.normal, [&](const Vector3 &p) {
-              return MovingCutter(settings, point.phi).least_distance_from_blade(p);
-            })));
+          raise_to(largest.flank,
+                   std::abs(
+                     distance_from_envelope(point.position, point.normal, [&](const Vector3 &p) {
+                       return MovingCutter(settings, point.phi).least_distance_from_blade(p);
+                     })));
         }
       for (const double lambda : {0.3, 1.})
         {
           const GeneratedPoint point = flank.fillet_at(L, lambda);
-          largest.fillet             = largest_of(
-            largest.fillet,
-            std::abs(distance_from_envelope(point.position, point.normal, [&](const Vector3 &p) {
-              return MovingCutter(settings, point.phi).least_distance_from_edge(p);
-            })));
+          raise_to(largest.fillet,
+                   std::abs(
+                     distance_from_envelope(point.position, point.normal, [&](const Vector3 &p) {
+                       return MovingCutter(settings, point.phi).least_distance_from_edge(p);
+                     })));
         }
     }
   return largest;

@@ -17,7 +17,7 @@ void check_lag(const GearPair &pair, const UnloadedContact &drive)
       const double               rot1  = drive.reference() + p * drive.pitch();
       const UnloadedContactPoint point = drive.contact(rot1, 0);
       const double               fit   = 7.199 * p * p + 0.757 * p * p * p - 0.008 * p * p * p * p;
-      worst                            = largest_of(worst, std::abs(point.lag / arcsecond - fit));
+      raise_to(worst, std::abs(point.lag / arcsecond - fit));
       const RigidMotion one = pair.pinion_placement(rot1), other = pair.gear_placement(point.rot2);
       worst_geometry = largest_of(
         {worst_geometry,
@@ -29,7 +29,7 @@ void check_lag(const GearPair &pair, const UnloadedContact &drive)
           // start the search well beside the point of contact
           const double rot2 =
             gap_search(pair, MeshSide::drive, rot1, point.pinion_L_h + Vector2(0.8, -0.2));
-          worst_search = largest_of(worst_search, std::abs(rot2 - point.rot2) / arcsecond);
+          raise_to(worst_search, std::abs(rot2 - point.rot2) / arcsecond);
         }
     }
   check_below("lag against the recipe's polynomial [arcsec]", worst, 0.01);

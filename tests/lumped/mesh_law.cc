@@ -8,23 +8,20 @@
 
 using namespace vfife;
 
-namespace
+Table loaded_contact(const double second)
 {
-  Table loaded_contact(const double second)
-  {
-    Table table;
-    for (const char *name : {"position",
-                             "unloaded transmission error",
-                             "transmission error",
-                             "contact torque on the gear",
-                             "tangent stiffness"})
-      table.add_column(name, "-");
-    table.add_row({0., 1., -80., 800., 2.3e6});
-    table.add_row({second, -2., -82., 800., 2.2e6});
-    table.add_row({2 * second, -1., -81.5, 800., 2.4e6});
-    return table;
-  }
-} // namespace
+  Table table;
+  for (const char *name : {"position",
+                           "unloaded transmission error",
+                           "transmission error",
+                           "contact torque on the gear",
+                           "tangent stiffness"})
+    table.add_column(name, "-");
+  table.add_row({0., 1., -80., 800., 2.3e6});
+  table.add_row({second, -2., -82., 800., 2.2e6});
+  table.add_row({2 * second, -1., -81.5, 800., 2.4e6});
+  return table;
+}
 
 int main()
 {
@@ -48,12 +45,11 @@ int main()
           const double x = i / 3.;
           const double s =
             law.unloaded_error.value(x) - table.numbers("transmission error")[i] * arcsecond;
-          check_close("torque of the table", law.torque(s, x) / 8e5, 1., 1e-12);
-          check_close("compression", law.compression(8e5, x) / s, 1., 1e-12);
+          check_ratio("torque of the table", law.torque(s, x) / 8e5, 1e-12);
+          check_ratio("compression", law.compression(8e5, x) / s, 1e-12);
           if (kind != LoadLaw::secant)
-            check_close("tangent of the table",
+            check_ratio("tangent of the table",
                         law.slope(s, x) / (1e3 * table.numbers("tangent stiffness")[i]),
-                        1.,
                         1e-12);
           if (kind != LoadLaw::tangent)
             check_close("flanks touch where they do without load",

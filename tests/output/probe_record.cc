@@ -6,53 +6,50 @@
 
 using namespace vfife;
 
-namespace
+constexpr double frequency = 100.; // mesh cycles a second
+constexpr int    teeth     = 40;
+
+/** 10 MPa far from the mesh; a tooth of a saw that rises to 50 MPa from 2 meshes before the mean
+ * contact to 6 meshes after it and falls back in 10 more. */
+double stress_at(const double after_mesh)
 {
-  constexpr double frequency = 100.; // mesh cycles a second
-  constexpr int    teeth     = 40;
+  const double place = after_mesh - teeth * std::floor(after_mesh / teeth + .5);
+  return 10 + 40 * std::max(0., std::min((place + 2) / 8, (16 - place) / 10));
+}
 
-  /** 10 MPa far from the mesh; a tooth of a saw that rises to 50 MPa from 2 meshes before the mean
-   * contact to 6 meshes after it and falls back in 10 more. */
-  double stress_at(const double after_mesh)
-  {
-    const double place = after_mesh - teeth * std::floor(after_mesh / teeth + .5);
-    return 10 + 40 * std::max(0., std::min((place + 2) / 8, (16 - place) / 10));
-  }
+/** Of a run of some mesh cycles that begins at a place after the mesh, two samples a mesh. */
+ProbeRecord record(const double begin, const int meshes)
+{
+  std::vector<double> times, stresses, turn;
+  for (int i = 0; i <= 2 * meshes; ++i)
+    {
+      times.push_back(.5 * i / frequency);
+      stresses.push_back(stress_at(begin + .5 * i));
+    }
+  for (int m = 0; m < teeth; ++m)
+    turn.push_back(stress_at(begin + meshes + m));
+  return make_probe_record(
+    "A",
+    times,
+    stresses,
+    meshes / frequency,
+    turn,
+    [](const double time) { return time * frequency; },
+    -begin / frequency);
+}
 
-  /** Of a run of some mesh cycles that begins at a place after the mesh, two samples a mesh. */
-  ProbeRecord record(const double begin, const int meshes)
-  {
-    std::vector<double> times, stresses, turn;
-    for (int i = 0; i <= 2 * meshes; ++i)
-      {
-        times.push_back(.5 * i / frequency);
-        stresses.push_back(stress_at(begin + .5 * i));
-      }
-    for (int m = 0; m < teeth; ++m)
-      turn.push_back(stress_at(begin + meshes + m));
-    return make_probe_record(
-      "A",
-      times,
-      stresses,
-      meshes / frequency,
-      turn,
-      [](const double time) { return time * frequency; },
-      -begin / frequency);
-  }
-
-  void check_record(const std::string &name,
-                    const ProbeRecord &found,
-                    const bool         has_peak,
-                    const bool         has_median)
-  {
-    check_close(name + ": largest of a turn", found.largest, 50., 1e-12);
-    check_close(name + ": after the mesh", found.largest_after_mesh, 6., 1e-9);
-    check_close(name + ": median of a turn", found.median, 10., 1e-12);
-    check(name + ": has the peak", found.has_peak == has_peak);
-    check(name + ": has the median", found.has_median == has_median);
-    std::cout << found.explain() << std::endl;
-  }
-} // namespace
+void check_record(const std::string &name,
+                  const ProbeRecord &found,
+                  const bool         has_peak,
+                  const bool         has_median)
+{
+  check_close(name + ": largest of a turn", found.largest, 50., 1e-12);
+  check_close(name + ": after the mesh", found.largest_after_mesh, 6., 1e-9);
+  check_close(name + ": median of a turn", found.median, 10., 1e-12);
+  check(name + ": has the peak", found.has_peak == has_peak);
+  check(name + ": has the median", found.has_median == has_median);
+  std::cout << found.explain() << std::endl;
+}
 
 int main()
 {

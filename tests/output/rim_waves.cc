@@ -6,51 +6,42 @@
 
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/mpi_session.h>
-#include <vfife/mesh/primitives/primitives.h>
 #include <vfife/model/body_frame.h>
-#include <vfife/model/model.h>
-#include <vfife/model/state.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/observers/rim_writer.h>
 
-#include <numeric>
-
 using namespace vfife;
 
-namespace
+/** The driven gear is a ring of 24 sectors that has turned by 2.5 rad, all of it the rim. */
+Model make_model()
 {
-  /** The driven gear is a ring of 24 sectors that has turned by 2.5 rad, all of it the rim. */
-  Model make_model()
-  {
-    Model        model;
-    Transmission pair;
-    pair.driven       = model.add_body(ring_askew("gear", Material()));
-    pair.driven_teeth = 24;
-    pair.driven_rim.resize(model.bodies[0].n_nodes());
-    std::iota(pair.driven_rim.begin(), pair.driven_rim.end(), 0u);
-    model.transmissions = {pair};
-    return model;
-  }
+  Model        model;
+  Transmission pair;
+  pair.driven         = model.add_body(ring_askew("gear", Material()));
+  pair.driven_teeth   = 24;
+  pair.driven_rim     = all_nodes(model.bodies[0]);
+  model.transmissions = {pair};
+  return model;
+}
 
-  State make_moved_state(const Model &model)
-  {
-    const Matrix3 turn = rotation_about(model.bodies[0].axis.direction, 2.5);
-    State state = made_state(model, [&](const Body &ring, const unsigned int i, const Vector3 &) {
-      const Vector3 &X     = ring.node_positions()[i];
-      const double   alpha = std::atan2(X[1], X[0]);
-      // r: 3 um; theta: 2 sin(10 alpha); z: 5 cos(alpha) - 4 sin(3 alpha)
-      const Vector3 u =
-        1e-3 * Vector3(3, 2 * std::sin(10 * alpha), 5 * std::cos(alpha) - 4 * std::sin(3 * alpha));
-      const Vector3 moved = ring.placement.rotation * (X + compute_cylindrical_axes(ring, X) * u);
-      return Vector3(ring.axis.point + turn * moved);
-    });
-    state.body_motion[0].rotation    = turn * model.bodies[0].placement.rotation;
-    state.body_motion[0].translation = model.bodies[0].axis.point;
-    state.time                       = 1e-3;
-    state.step                       = 10;
-    return state;
-  }
-} // namespace
+State make_moved_state(const Model &model)
+{
+  const Matrix3 turn = rotation_about(model.bodies[0].axis.direction, 2.5);
+  State state = made_state(model, [&](const Body &ring, const unsigned int i, const Vector3 &) {
+    const Vector3 &X     = ring.node_positions()[i];
+    const double   alpha = std::atan2(X[1], X[0]);
+    // r: 3 um; theta: 2 sin(10 alpha); z: 5 cos(alpha) - 4 sin(3 alpha)
+    const Vector3 u =
+      1e-3 * Vector3(3, 2 * std::sin(10 * alpha), 5 * std::cos(alpha) - 4 * std::sin(3 * alpha));
+    const Vector3 moved = ring.placement.rotation * (X + compute_cylindrical_axes(ring, X) * u);
+    return Vector3(ring.axis.point + turn * moved);
+  });
+  state.body_motion[0].rotation    = turn * model.bodies[0].placement.rotation;
+  state.body_motion[0].translation = model.bodies[0].axis.point;
+  state.time                       = 1e-3;
+  state.step                       = 10;
+  return state;
+}
 
 int main(int argc, char **argv)
 {

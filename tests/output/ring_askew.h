@@ -2,20 +2,15 @@
 #ifndef vfife_tests_output_ring_askew_h
 #define vfife_tests_output_ring_askew_h
 
+#include "../model_parts.h"
+
 #include <vfife/mesh/primitives/primitives.h>
-#include <vfife/model/model.h>
 
 /** A ring of 24 sectors that turns about an axis askew. */
 inline vfife::Body ring_askew(const std::string &name, const vfife::Material &material)
 {
   vfife::Body ring(name, vfife::make_ring(20, 30, 5, {{2, 24, 2}}), material);
-  ring.axis.point     = vfife::Vector3(1, 2, 3);
-  ring.axis.direction = vfife::Vector3(1, 2, 2) / 3.;
-  ring.placement.rotation =
-    Eigen::Quaterniond::FromTwoVectors(vfife::Vector3::UnitZ(), ring.axis.direction)
-      .toRotationMatrix();
-  ring.placement.translation = ring.axis.point;
-  ring.turns_on_axis         = true;
+  place_on_axis(ring, vfife::Vector3(1, 2, 3), vfife::Vector3(1, 2, 2));
   return ring;
 }
 
@@ -30,12 +25,7 @@ ring_and_block(const vfife::Material &material, const double rate, const double 
   model.add_body(vfife::Body("block",
                              vfife::make_block(vfife::Vector3(block_size, 3, 2), {{4, 3, 2}}),
                              material));
-  vfife::ContactPair pair;
-  pair.slave_body     = 0;
-  pair.slave_surface  = "outer";
-  pair.master_body    = 1;
-  pair.master_surface = "x-";
-  model.contacts.push_back(pair);
+  model.contacts.push_back(contact_of("", {0, "outer"}, {1, "x-"}));
   return model;
 }
 

@@ -2,6 +2,7 @@
 #ifndef vfife_tests_reduced_whole_body_h
 #define vfife_tests_reduced_whole_body_h
 
+#include "../model_parts.h"
 #include "../study/gear_model.h"
 #include "../study/quick_pair.h"
 
@@ -34,12 +35,7 @@ inline void hold_hub(vfife::Model                               &model,
   model.torques.clear();
   if (hub)
     model.constraints.push_back({"hub", *hub, 0, nodes});
-  vfife::Torque torque;
-  torque.name  = "torque";
-  torque.nodes = nodes;
-  torque.areas = vfife::compute_nodal_areas(body, nodes);
-  torque.value = 1.;
-  model.torques.push_back(torque);
+  model.torques.push_back(torque_on(model, set, 1.));
 }
 
 /** A wheel of twelve sectors, placed askew. */
@@ -124,9 +120,7 @@ inline vfife::Model hang_in_bearings(vfife::Model       model,
 /** All nodes of sector 0. */
 inline std::vector<unsigned int> first_sector(const vfife::Body &body)
 {
-  std::vector<unsigned int> nodes(body.structure().nodes_per_sector());
-  std::iota(nodes.begin(), nodes.end(), 0u);
-  return nodes;
+  return numbers_below(body.structure().nodes_per_sector());
 }
 
 /** Displacements of all nodes (fixed frame, 3 a node) of what the rows of all nodes of the sectors

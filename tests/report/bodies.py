@@ -1,12 +1,11 @@
 #!/usr/bin/env python3
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """Reports of bodies by themselves: their meshes, and the shapes of their vibrations."""
-import tempfile
 import unittest
 from pathlib import Path
 
 from made_up_run import (  # first: ends the test without the libraries
-    make_pair, make_parameters, make_ring, read_report, write_parameters, write_vtu)
+    FolderTest, make_pair, make_parameters, make_ring, read_report, write_parameters, write_vtu)
 
 import meshio
 import numpy as np
@@ -40,55 +39,50 @@ def write_shapes(folder):
     (folder / "modes.csv").write_text(MODES)
 
 
-class Bodies(unittest.TestCase):
+class Bodies(FolderTest):
     def test_meshes(self):
         """A picture of both, sections, a row a figure; nothing of speed and torque, which meshes do not have."""
-        with tempfile.TemporaryDirectory() as name:
-            folder = Path(name)
-            write_parameters(folder, {**make_parameters(), "Study/kind": ("mesh", "")})
-            (folder / "mesh.csv").write_text(MESH)
-            (folder / "meridian.csv").write_text(MERIDIAN)
-            pair = make_pair()
-            write_vtu(folder / "pair.vtu", Fields(pair.points, {"body": pair["body"]}, None))
-            text = read_report(folder)
-            for picture in ("meshes.png", "meridian.svg"):
-                self.assertTrue((folder / "pictures" / picture).is_file(), picture)
-            for words in ("27/79", ": mesh</h1>", "least scaled jacobian", "0.61235", "24 elements, 192 nodes, 1.75 kg"):
-                self.assertIn(words, text)
-            for words in ("20000 rpm", "800 N m"):
-                self.assertNotIn(words, text)
+        write_parameters(self.path, {**make_parameters(), "Study/kind": ("mesh", "")})
+        (self.path / "mesh.csv").write_text(MESH)
+        (self.path / "meridian.csv").write_text(MERIDIAN)
+        pair = make_pair()
+        write_vtu(self.path / "pair.vtu", Fields(pair.points, {"body": pair["body"]}, None))
+        text = read_report(self.path)
+        for picture in ("meshes.png", "meridian.svg"):
+            self.assertTrue((self.path / "pictures" / picture).is_file(), picture)
+        for words in ("27/79", ": mesh</h1>", "least scaled jacobian", "0.61235", "24 elements, 192 nodes, 1.75 kg"):
+            self.assertIn(words, text)
+        for words in ("20000 rpm", "800 N m"):
+            self.assertNotIn(words, text)
 
     def test_faces(self):
         """Surfaces that the file has beside the cells are passed over."""
-        with tempfile.TemporaryDirectory() as name:
-            points = make_ring(20, 30, 5, 12)
-            n = len(points)
-            cells = np.arange(8 * n).reshape(n, 8)
-            meshio.Mesh(points.reshape(-1, 3), [("hexahedron", cells), ("quad", cells[:, :4])], {},
-                        {"body": [np.zeros(n), np.zeros(n)]}).write(Path(name) / "pair.vtu")
-            self.assertEqual(len(read_meshes(Path(name) / "pair.vtu")), n)
+        points = make_ring(20, 30, 5, 12)
+        n = len(points)
+        cells = np.arange(8 * n).reshape(n, 8)
+        meshio.Mesh(points.reshape(-1, 3), [("hexahedron", cells), ("quad", cells[:, :4])], {},
+                    {"body": [np.zeros(n), np.zeros(n)]}).write(self.path / "pair.vtu")
+        self.assertEqual(len(read_meshes(self.path / "pair.vtu")), n)
 
     def test_shapes(self):
         """Of each vibration one, at the lowest speed, without rigid motions."""
-        with tempfile.TemporaryDirectory() as name:
-            folder = Path(name)
-            write_parameters(folder, {**make_parameters(), "Study/kind": ("modal", ""), "Fem/coriolis": ("no", "")})
-            write_shapes(folder)
-            table = Table(folder / "modes.csv")
-            chosen = list_vibrations(table, np.arange(len(FREQUENCIES)))
-            self.assertEqual([table["mode"][row] for row in chosen], [2, 4, 5])
-            self.assertEqual([describe_vibration(table, row) for row in chosen],
-                             ["2: 1000 Hz, 2 diameters", "4: 1500 Hz, 0 diameters", "5: 2000 Hz, 2 diameters, 1 circle"])
-            picture = draw_mode_shapes(RunFolder(folder), "gear")
-            self.assertEqual([axes.get_title(loc="left") for axes in picture.axes if axes.images],
-                             [describe_vibration(table, row) for row in chosen])
-            # Two diameters: a quarter of the ring's way between crest and node.
-            shown = picture.axes[0].images[0].get_array()
-            self.assertGreater(np.ptp(shown[..., 0]), 0.5)
-            text = read_report(folder)
-            self.assertTrue((folder / "pictures" / "mode_shapes_gear.png").is_file())
-            self.assertIn("omits Coriolis forces", text)
-            self.assertNotIn("at 20000 rpm", text)
+        write_parameters(self.path, {**make_parameters(), "Study/kind": ("modal", ""), "Fem/coriolis": ("no", "")})
+        write_shapes(self.path)
+        table = Table(self.path / "modes.csv")
+        chosen = list_vibrations(table, np.arange(len(FREQUENCIES)))
+        self.assertEqual([table["mode"][row] for row in chosen], [2, 4, 5])
+        self.assertEqual([describe_vibration(table, row) for row in chosen],
+                         ["2: 1000 Hz, 2 diameters", "4: 1500 Hz, 0 diameters", "5: 2000 Hz, 2 diameters, 1 circle"])
+        picture = draw_mode_shapes(RunFolder(self.path), "gear")
+        self.assertEqual([axes.get_title(loc="left") for axes in picture.axes if axes.images],
+                         [describe_vibration(table, row) for row in chosen])
+        # Two diameters: a quarter of the ring's way between crest and node.
+        shown = picture.axes[0].images[0].get_array()
+        self.assertGreater(np.ptp(shown[..., 0]), 0.5)
+        text = read_report(self.path)
+        self.assertTrue((self.path / "pictures" / "mode_shapes_gear.png").is_file())
+        self.assertIn("omits Coriolis forces", text)
+        self.assertNotIn("at 20000 rpm", text)
 
 
 if __name__ == "__main__":

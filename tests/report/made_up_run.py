@@ -3,6 +3,8 @@
 source/report importable; ends with 77 (skipped) without the libraries that it needs."""
 import json
 import sys
+import tempfile
+import unittest
 from pathlib import Path
 from unittest import mock
 
@@ -20,6 +22,16 @@ except ImportError as error:
 from vfife_report.command import main  # noqa: E402
 from vfife_report.data.fields import Fields  # noqa: E402
 from vfife_report.plots.style import plt  # noqa: E402
+
+
+class FolderTest(unittest.TestCase):
+    """Each test has a folder of its own."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.path = Path(folder.name)
+
 
 CORNERS = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0],
                     [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], dtype=float)

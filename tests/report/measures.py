@@ -8,7 +8,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 from made_up_run import (  # first: ends the test without the libraries
-    make_parameters, make_summary, quantity, write_parameters, write_run)
+    FolderTest, make_parameters, make_summary, quantity, write_parameters, write_run)
 
 import numpy as np
 
@@ -176,24 +176,22 @@ class Checks(unittest.TestCase):
         self.assertEqual(self.check((0,) * 5, 800, 0, -0.3)[name], ("not met", "-0.3 mJ"))
 
 
-class SpeedSweep(unittest.TestCase):
+class SpeedSweep(FolderTest):
     """A reduced pair at many speeds has no speed of its own."""
 
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        path = Path(folder.name)
-        write_parameters(path, {**make_parameters(), "Study/kind": ("reduced", ""), "Operation/mesh cycles": ("40", "-"),
-                                "Operation/torque": ("0", "N m"), "Operation/pinion torque": ("265 N m", "N m"),
-                                "Reduced/sweep": ("up", ""), "Reduced/lowest speed": ("8000 rpm", "rpm"),
-                                "Reduced/highest speed": ("9000 rpm", "rpm"), "Reduced/speeds": ("3", "-"),
-                                "Reduced/settling mesh cycles": ("2", "-"), "Reduced/recorded mesh cycles": ("4", "-")})
-        (path / "resonance.csv").write_text("direction,speed [rpm],energy error [-]\nup,8000,0.001\nup,8500,-0.02\nup,9000,0.0049\n")
+        super().setUp()
+        write_parameters(self.path, {**make_parameters(), "Study/kind": ("reduced", ""), "Operation/mesh cycles": ("40", "-"),
+                                     "Operation/torque": ("0", "N m"), "Operation/pinion torque": ("265 N m", "N m"),
+                                     "Reduced/sweep": ("up", ""), "Reduced/lowest speed": ("8000 rpm", "rpm"),
+                                     "Reduced/highest speed": ("9000 rpm", "rpm"), "Reduced/speeds": ("3", "-"),
+                                     "Reduced/settling mesh cycles": ("2", "-"), "Reduced/recorded mesh cycles": ("4", "-")})
+        (self.path / "resonance.csv").write_text("direction,speed [rpm],energy error [-]\nup,8000,0.001\nup,8500,-0.02\nup,9000,0.0049\n")
         summary = {"status": "finished", "input conflicts": [], "warnings": [], "run": {"time": quantity(2e-3, "s"), "steps": 900, "run time": quantity(1, "s"), "ranks": 1}, "figures": {
             "speeds": quantity(3), "lowest speed": quantity(8000, "rpm"), "highest speed": quantity(9000, "rpm"),
             "transmission error near the cut-off": quantity(8.18, "arcsec"), "mesh order near the cut-off": quantity(8)}}
-        (path / "summary.json").write_text(json.dumps(summary))
-        self.run_folder = RunFolder(path)
+        (self.path / "summary.json").write_text(json.dumps(summary))
+        self.run_folder = RunFolder(self.path)
 
     def test_words(self):
         self.assertEqual(make_title(self.run_folder), "Spiral bevel gear pair 27/79, web 5 mm at 70 deg, pinion from 8000 rpm to "
@@ -215,7 +213,7 @@ class SpeedSweep(unittest.TestCase):
         self.assertEqual(remark(self.run_folder, "dte, mean"), "")
 
 
-class Passages(unittest.TestCase):
+class Passages(FolderTest):
     def test_bump(self):
         """A Gaussian over 20 MPa reaches a tenth at 2.146 standard deviations on either side."""
         time = np.linspace(0, 4, 2001)
@@ -245,42 +243,40 @@ class Passages(unittest.TestCase):
         self.assertIsNone(find_passage(time, np.ones(1000), 1))
 
     def test_engagement(self):
-        with tempfile.TemporaryDirectory() as name:
-            path = Path(name) / "teeth.csv"
-            rows = [(t, side, tooth) for tooth, side, first, last in (
-                (0, "drive", 0, 5), (26, "drive", 2, 6), (25, "drive", 4, 8), (24, "drive", 7, 9),
-                (1, "coast", 3, 4)) for t in range(first, last + 1)]
-            path.write_text("time [s],side,pinion tooth [-],gear tooth [-],force [N]\n" + "".join(
-                f"{t},{side},{tooth},{27 - tooth},1\n" for t, side, tooth in sorted(rows)))
-            teeth = Table(path)
-            found = find_engagement(teeth, 0, 9)
-            self.assertEqual((found.pinion_tooth, found.whole), (25, True))
-            self.assertEqual(list(teeth["time"][found.rows]), [4, 5, 6, 7, 8])
-            self.assertFalse(find_engagement(teeth, 2, 6).whole)
+        path = self.path / "teeth.csv"
+        rows = [(t, side, tooth) for tooth, side, first, last in (
+            (0, "drive", 0, 5), (26, "drive", 2, 6), (25, "drive", 4, 8), (24, "drive", 7, 9),
+            (1, "coast", 3, 4)) for t in range(first, last + 1)]
+        path.write_text("time [s],side,pinion tooth [-],gear tooth [-],force [N]\n" + "".join(
+            f"{t},{side},{tooth},{27 - tooth},1\n" for t, side, tooth in sorted(rows)))
+        teeth = Table(path)
+        found = find_engagement(teeth, 0, 9)
+        self.assertEqual((found.pinion_tooth, found.whole), (25, True))
+        self.assertEqual(list(teeth["time"][found.rows]), [4, 5, 6, 7, 8])
+        self.assertFalse(find_engagement(teeth, 2, 6).whole)
 
 
-class Waves(unittest.TestCase):
+class Waves(FolderTest):
     def test_pattern_and_wave(self):
-        with tempfile.TemporaryDirectory() as name:
-            write_run(Path(name), fields=False)
-            run = RunFolder(name)
-            rim, rate = run.rim, run.gear_rate()
-            self.assertAlmostEqual(rate, -200 * np.pi)
-            pattern, rest = split_wave(read_wave(rim, "z", 1), 1, run.gear_turn(rim["time"]))
-            self.assertAlmostEqual(abs(pattern), 20, places=6)  # digits of the file
-            self.assertLess(np.abs(rest).max(), 1e-6)
-            rows = rim["time"] < 0.9999e-3  # nine periods of 9 kHz
-            wave = read_wave(rim, "z", 3)[rows]
-            frequency, amplitude = compute_directed_spectrum(wave, 1e-5)
-            top = np.argmax(amplitude)
-            self.assertAlmostEqual(frequency[top], 9000, places=3)
-            self.assertAlmostEqual(amplitude[top], 0.1, places=6)
-            self.assertLess(amplitude[frequency < 0].max(), 1e-6)  # travels in the + sense only
-            # The gear turns in the - sense; the steady part is 7.2 periods.
-            lines = [line for line in list_wave_lines(run) if line[0] == "3"]
-            self.assertEqual(lines[0][1], "backward")
-            self.assertAlmostEqual(lines[0][2], 9000, delta=100)
-            self.assertAlmostEqual(lines[0][3], 0.1, delta=0.002)
+        write_run(self.path, fields=False)
+        run = RunFolder(self.path)
+        rim, rate = run.rim, run.gear_rate()
+        self.assertAlmostEqual(rate, -200 * np.pi)
+        pattern, rest = split_wave(read_wave(rim, "z", 1), 1, run.gear_turn(rim["time"]))
+        self.assertAlmostEqual(abs(pattern), 20, places=6)  # digits of the file
+        self.assertLess(np.abs(rest).max(), 1e-6)
+        rows = rim["time"] < 0.9999e-3  # nine periods of 9 kHz
+        wave = read_wave(rim, "z", 3)[rows]
+        frequency, amplitude = compute_directed_spectrum(wave, 1e-5)
+        top = np.argmax(amplitude)
+        self.assertAlmostEqual(frequency[top], 9000, places=3)
+        self.assertAlmostEqual(amplitude[top], 0.1, places=6)
+        self.assertLess(amplitude[frequency < 0].max(), 1e-6)  # travels in the + sense only
+        # The gear turns in the - sense; the steady part is 7.2 periods.
+        lines = [line for line in list_wave_lines(run) if line[0] == "3"]
+        self.assertEqual(lines[0][1], "backward")
+        self.assertAlmostEqual(lines[0][2], 9000, delta=100)
+        self.assertAlmostEqual(lines[0][3], 0.1, delta=0.002)
 
 
 class MadeUpRim(dict):
@@ -354,7 +350,7 @@ class WaveShares(unittest.TestCase):
             self.assertAlmostEqual(amplitude, 0.4, delta=0.02)
 
 
-class Texts(unittest.TestCase):
+class Texts(FolderTest):
     def check_parameters(self, folder):
         found = read_parameters(folder)
         self.assertEqual(found["Gear pair/Gear/Body/web thickness"], "5.0 mm")
@@ -363,51 +359,48 @@ class Texts(unittest.TestCase):
         self.assertEqual(found["Operation/speed"], "20000 rpm")
 
     def test_parameters(self):
-        with tempfile.TemporaryDirectory() as name:
-            self.assertEqual(read_parameters(Path(name)), {})
-            (Path(name) / "parameters.prm").write_text(EARLIER_PARAMETERS)
-            self.check_parameters(Path(name))
-            (Path(name) / "parameters.prm").write_text("not looked at")
-            write_parameters(Path(name), make_parameters("5.0"))
-            self.check_parameters(Path(name))
+        self.assertEqual(read_parameters(self.path), {})
+        (self.path / "parameters.prm").write_text(EARLIER_PARAMETERS)
+        self.check_parameters(self.path)
+        (self.path / "parameters.prm").write_text("not looked at")
+        write_parameters(self.path, make_parameters("5.0"))
+        self.check_parameters(self.path)
 
     def test_names(self):
-        with tempfile.TemporaryDirectory() as name:
-            runs = []
-            for thickness in ("5", "3.5 mm"):
-                folder = Path(name) / thickness
-                folder.mkdir()
-                write_run(folder, thickness, fields=False)
-                runs.append(RunFolder(folder))
-            self.assertEqual(make_title(runs[0]),
-                             "Spiral bevel gear pair 27/79, web 5 mm at 70 deg, pinion at 20000 rpm, 800 N m on the gear")
-            waves = {**runs[0].parameters, "Study/kind": "waves", "Waves/lowest speed": "8000 rpm", "Waves/highest speed": "9000 rpm"}
-            self.assertEqual(make_title(SimpleNamespace(parameters=waves)), "Spiral bevel gear pair 27/79, web 5 mm at 70 deg, "
-                             "pinion from 8000 rpm to 9000 rpm, 800 N m on the gear: waves")
-            self.assertEqual(name_variants(runs), ["web 5 mm at 70 deg", "web 3.5 mm at 70 deg"])
-            self.assertEqual(name_variants(runs[:1]), ["5"])
+        runs = []
+        for thickness in ("5", "3.5 mm"):
+            folder = self.path / thickness
+            folder.mkdir()
+            write_run(folder, thickness, fields=False)
+            runs.append(RunFolder(folder))
+        self.assertEqual(make_title(runs[0]),
+                         "Spiral bevel gear pair 27/79, web 5 mm at 70 deg, pinion at 20000 rpm, 800 N m on the gear")
+        waves = {**runs[0].parameters, "Study/kind": "waves", "Waves/lowest speed": "8000 rpm", "Waves/highest speed": "9000 rpm"}
+        self.assertEqual(make_title(SimpleNamespace(parameters=waves)), "Spiral bevel gear pair 27/79, web 5 mm at 70 deg, "
+                         "pinion from 8000 rpm to 9000 rpm, 800 N m on the gear: waves")
+        self.assertEqual(name_variants(runs), ["web 5 mm at 70 deg", "web 3.5 mm at 70 deg"])
+        self.assertEqual(name_variants(runs[:1]), ["5"])
 
     def test_ledger(self):
         row = {"quantity": "mean dte", "unit": "arcsec", "value": -84.0, "reference": -80.0,
                "reference kind": "FEM", "difference": -4.0, "tolerance": 5.0, "verdict": "agrees",
                "reason": "finer mesh"}
-        with tempfile.TemporaryDirectory() as name:
-            path = Path(name) / "comparison.json"
+        path = self.path / "comparison.json"
 
-            def read(**changes):
-                path.write_text(json.dumps({"title": "t", "rows": [{**row, **changes}]}))
-                return read_ledger(path)["rows"]
+        def read(**changes):
+            path.write_text(json.dumps({"title": "t", "rows": [{**row, **changes}]}))
+            return read_ledger(path)["rows"]
 
-            self.assertEqual(list(list_ledger_rows(read()))[0][4:6], [-4.0, -5.0])
-            read(verdict="not judged", tolerance=None)
-            read(verdict="not judged", value=None, difference=None)
-            for wrong in ({"verdict": "fine"}, {"verdict": "differs"}, {"difference": 4.0},
-                          {"tolerance": None}, {"value": None}, {"tolerance": 3.0}):
-                with self.assertRaisesRegex(ValueError, "mean dte"):
-                    read(**wrong)
-            path.write_text(json.dumps({"rows": [{"quantity": "mean dte"}]}))
-            with self.assertRaisesRegex(ValueError, '"unit" is missing'):
-                read_ledger(path)
+        self.assertEqual(list(list_ledger_rows(read()))[0][4:6], [-4.0, -5.0])
+        read(verdict="not judged", tolerance=None)
+        read(verdict="not judged", value=None, difference=None)
+        for wrong in ({"verdict": "fine"}, {"verdict": "differs"}, {"difference": 4.0},
+                      {"tolerance": None}, {"value": None}, {"tolerance": 3.0}):
+            with self.assertRaisesRegex(ValueError, "mean dte"):
+                read(**wrong)
+        path.write_text(json.dumps({"rows": [{"quantity": "mean dte"}]}))
+        with self.assertRaisesRegex(ValueError, '"unit" is missing'):
+            read_ledger(path)
 
 
 if __name__ == "__main__":

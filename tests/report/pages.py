@@ -14,7 +14,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 from made_up_run import (  # first: ends the test without the libraries
-    make_page, make_parameters, make_summary, quantity, write_parameters, write_run)
+    FolderTest, make_page, make_parameters, make_summary, quantity, write_parameters, write_run)
 
 import vfife_report
 from vfife_report.command import main
@@ -50,7 +50,7 @@ class Reader(HTMLParser):
         self.words.append(data)
 
 
-class Pages(unittest.TestCase):
+class Pages(FolderTest):
     def read(self, folder):
         text = (Path(folder) / "report.html").read_text(encoding="utf-8")
         reader = Reader(text)
@@ -150,33 +150,31 @@ class Pages(unittest.TestCase):
 
     def test_model(self):
         """Its probes have curves; nothing is said of a contact that it has not."""
-        with tempfile.TemporaryDirectory() as name:
-            self.write_model(Path(name), "run")
-            main([name])
-            chapters = re.findall("<h2.*?>(.*?)</h2>", self.read(name))
-            self.assertIn("Motion of the probes", chapters)
-            self.assertNotIn("Contact", chapters)
-            curves = {row["curve"]: float(row["y"])
-                      for row in csv.DictReader((Path(name) / "pictures" / "model_probes.csv").read_text().splitlines())}
-            self.assertEqual(curves, {"x": 1e-3, "y": 1e-15, "z": 0.0123456, "tip": 5})
+        self.write_model(self.path, "run")
+        main([str(self.path)])
+        chapters = re.findall("<h2.*?>(.*?)</h2>", self.read(self.path))
+        self.assertIn("Motion of the probes", chapters)
+        self.assertNotIn("Contact", chapters)
+        curves = {row["curve"]: float(row["y"])
+                  for row in csv.DictReader((self.path / "pictures" / "model_probes.csv").read_text().splitlines())}
+        self.assertEqual(curves, {"x": 1e-3, "y": 1e-15, "z": 0.0123456, "tip": 5})
 
     def test_parts_of_a_model(self):
         """Bodies, constraints and loads with what is given of them, which no default tells."""
-        with tempfile.TemporaryDirectory() as name:
-            self.write_model(Path(name), "static")
-            write_parameters(Path(name), {
-                "Study/kind": ("static", ""), "Model/bodies": ("beam", "", "beam"),
-                "Model/Body beam/mesh": ("beam", "", "block"), "Model/Body beam/length": ("100 mm", "mm", "10"),
-                "Model/Body beam/width": ("10", "mm", "10"), "Model/Constraint clamp/kind": ("fixed", "", "fixed"),
-                "Model/Constraint clamp/nodes": ("x-", "", ""), "Model/Load end/kind": ("moment", "", "force"),
-                "Model/Load end/moment": ("0, -3, 0", "N mm", "0, 0, 0"), "Model/Load end/nodes": ("x+", "", ""),
-                "Model/Contact pads/Friction/coefficient": ("0.3", "-", "0"), "Model/Contact pads/kind": ("wall", "", "bodies")})
-            main([name])
-            rows = re.findall("<tr>(.*?)</tr>", self.read(name), re.S)
-            cells = [re.findall("<td[^>]*>(.*?)</td>", row, re.S) for row in rows]
-            for row in (["body", "beam", "beam", "length 100 mm"], ["constraint", "clamp", "fixed", "nodes x-"],
-                        ["load", "end", "moment", "moment 0, -3, 0 N mm; nodes x+"], ["contact", "pads", "wall", "Friction/coefficient 0.3"]):
-                self.assertIn(row, cells)
+        self.write_model(self.path, "static")
+        write_parameters(self.path, {
+            "Study/kind": ("static", ""), "Model/bodies": ("beam", "", "beam"),
+            "Model/Body beam/mesh": ("beam", "", "block"), "Model/Body beam/length": ("100 mm", "mm", "10"),
+            "Model/Body beam/width": ("10", "mm", "10"), "Model/Constraint clamp/kind": ("fixed", "", "fixed"),
+            "Model/Constraint clamp/nodes": ("x-", "", ""), "Model/Load end/kind": ("moment", "", "force"),
+            "Model/Load end/moment": ("0, -3, 0", "N mm", "0, 0, 0"), "Model/Load end/nodes": ("x+", "", ""),
+            "Model/Contact pads/Friction/coefficient": ("0.3", "-", "0"), "Model/Contact pads/kind": ("wall", "", "bodies")})
+        main([str(self.path)])
+        rows = re.findall("<tr>(.*?)</tr>", self.read(self.path), re.S)
+        cells = [re.findall("<td[^>]*>(.*?)</td>", row, re.S) for row in rows]
+        for row in (["body", "beam", "beam", "length 100 mm"], ["constraint", "clamp", "fixed", "nodes x-"],
+                    ["load", "end", "moment", "moment 0, -3, 0 N mm; nodes x+"], ["contact", "pads", "wall", "Friction/coefficient 0.3"]):
+            self.assertIn(row, cells)
 
     def test_unsteady_ripple(self):
         """Values of a ripple that is not steady are marked, means are not."""
@@ -210,17 +208,16 @@ class Pages(unittest.TestCase):
                 self.assertEqual("cover the last third, because no steady part was found." in text, not found)
 
     def test_run(self):
-        with tempfile.TemporaryDirectory() as name:
-            write_run(Path(name), fields=False)
-            main([name])
-            text = self.read(name)
-            for words in ("Spiral bevel gear pair 27/79, web 5 mm", "Transmission error",
-                          "Motion of the rim", "Key figures", "dte, mean", "Energy and damping",
-                          "&lt;one&gt; &amp; another", "input conflicts"):
-                self.assertIn(words, text)
-            self.assertEqual(text.count("<img "), 11)
-            for data in re.findall("Data: <code>(.*?)</code>", text):
-                self.assertTrue((Path(name) / data).is_file(), data)
+        write_run(self.path, fields=False)
+        main([str(self.path)])
+        text = self.read(self.path)
+        for words in ("Spiral bevel gear pair 27/79, web 5 mm", "Transmission error",
+                      "Motion of the rim", "Key figures", "dte, mean", "Energy and damping",
+                      "&lt;one&gt; &amp; another", "input conflicts"):
+            self.assertIn(words, text)
+        self.assertEqual(text.count("<img "), 11)
+        for data in re.findall("Data: <code>(.*?)</code>", text):
+            self.assertTrue((self.path / data).is_file(), data)
 
     def test_results(self):
         """The first chapter has the main results, each with its accuracy, and checks that are not met."""
@@ -248,13 +245,12 @@ class Pages(unittest.TestCase):
 
     def test_killed(self):
         """A run without summary: histories over time, nothing over mesh cycles."""
-        with tempfile.TemporaryDirectory() as name:
-            write_run(Path(name), fields=False)
-            (Path(name) / "summary.json").unlink()
-            main([name])
-            chapters = re.findall("<h2.*?>(.*?)</h2>", self.read(name))
-            self.assertEqual(chapters, ["Results", "Transmission error", "Contact", "Stress at the probes", "Motion of the rim",
-                                        "Key figures", "The case", "Energy and damping", "Checks", "Words"])
+        write_run(self.path, fields=False)
+        (self.path / "summary.json").unlink()
+        main([str(self.path)])
+        chapters = re.findall("<h2.*?>(.*?)</h2>", self.read(self.path))
+        self.assertEqual(chapters, ["Results", "Transmission error", "Contact", "Stress at the probes", "Motion of the rim",
+                                    "Key figures", "The case", "Energy and damping", "Checks", "Words"])
 
     def test_missing_library(self):
         """One line, and the exit code that asks for another Python."""
@@ -267,84 +263,80 @@ class Pages(unittest.TestCase):
                 self.assertEqual((ended.returncode, ended.stdout, ended.stderr), (77, f"no {library}\n", ""))
 
     def test_study(self):
-        with tempfile.TemporaryDirectory() as name:
-            for thickness in ("5", "3.5"):
-                folder = Path(name) / f"web_{thickness}"
-                folder.mkdir()
-                write_run(folder, thickness, fields=False)
-            failed = Path(name) / "failed"
-            failed.mkdir()
-            (failed / "summary.json").write_text('{"status": "failed", "failure": "it <exploded>"}')
-            # The order is the list's, whatever its columns are.
-            (Path(name) / "sweep.csv").write_text("a,b\n1,web_5\n2,web_3.5\n3,failed\n")
-            main([name])
-            text = self.read(name)
-            self.assertIn("3 variants", text)
-            self.assertIn("it &lt;exploded&gt;", text)
-            self.assertLess(text.index("<td>web_5"), text.index("<td>web_3.5"))
-            self.assertEqual(text.count("<img "), 8)
-            header = (Path(name) / "key_figures.csv").read_text().splitlines()[0]
-            self.assertEqual(header.count(","), 4)
+        for thickness in ("5", "3.5"):
+            folder = self.path / f"web_{thickness}"
+            folder.mkdir()
+            write_run(folder, thickness, fields=False)
+        failed = self.path / "failed"
+        failed.mkdir()
+        (failed / "summary.json").write_text('{"status": "failed", "failure": "it <exploded>"}')
+        # The order is the list's, whatever its columns are.
+        (self.path / "sweep.csv").write_text("a,b\n1,web_5\n2,web_3.5\n3,failed\n")
+        main([str(self.path)])
+        text = self.read(self.path)
+        self.assertIn("3 variants", text)
+        self.assertIn("it &lt;exploded&gt;", text)
+        self.assertLess(text.index("<td>web_5"), text.index("<td>web_3.5"))
+        self.assertEqual(text.count("<img "), 8)
+        header = (self.path / "key_figures.csv").read_text().splitlines()[0]
+        self.assertEqual(header.count(","), 4)
 
     def test_study_without_steady_part(self):
         """Variants whose figures are not of a steady part are named, and geometry is told where it is not the same."""
-        with tempfile.TemporaryDirectory() as name:
-            for web, found, steady in (("5", True, True), ("3.5", False, False)):
-                folder = Path(name) / f"web_{web}"
-                folder.mkdir()
-                write_run(folder, web, fields=False)
-                summary = make_summary()
-                summary["steady part"].update(found=found, ripple={"judged": True, "steady": steady})
-                (folder / "summary.json").write_text(json.dumps(summary))
-                member = {"hand of spiral": "left", "face width": quantity(27.7, "mm"), "web thickness": quantity(float(web), "mm")}
-                (folder / "geometry.json").write_text(json.dumps({"pair": {}, "pinion": member, "gear": member}))
-            make_page(name)
-            text = self.read(name)
-            alike, different = text.index("geometry of all variants"), text.index("Geometry that differs between variants")
-            self.assertIn("27.7", text[alike:])
-            for rows, there in ((text[alike:different], False), (text[different:text.index("Means and peak to peak", different)], True)):
-                self.assertEqual("<td>web thickness</td>" in rows, there)
-            self.assertRegex(text, r"<td>web thickness</td>\s*<td>web 3.5 mm at 70 deg</td>")
-            self.assertEqual(text.count("These variants have no steady part: web 3.5 mm at 70 deg. Their values"), 2)
-            self.assertEqual(text.count("The ripple of these variants is still transient: web 3.5 mm at 70 deg."), 2)
-            self.assertIn("<td>last third</td>", text)
+        for web, found, steady in (("5", True, True), ("3.5", False, False)):
+            folder = self.path / f"web_{web}"
+            folder.mkdir()
+            write_run(folder, web, fields=False)
+            summary = make_summary()
+            summary["steady part"].update(found=found, ripple={"judged": True, "steady": steady})
+            (folder / "summary.json").write_text(json.dumps(summary))
+            member = {"hand of spiral": "left", "face width": quantity(27.7, "mm"), "web thickness": quantity(float(web), "mm")}
+            (folder / "geometry.json").write_text(json.dumps({"pair": {}, "pinion": member, "gear": member}))
+        make_page(self.path)
+        text = self.read(self.path)
+        alike, different = text.index("geometry of all variants"), text.index("Geometry that differs between variants")
+        self.assertIn("27.7", text[alike:])
+        for rows, there in ((text[alike:different], False), (text[different:text.index("Means and peak to peak", different)], True)):
+            self.assertEqual("<td>web thickness</td>" in rows, there)
+        self.assertRegex(text, r"<td>web thickness</td>\s*<td>web 3.5 mm at 70 deg</td>")
+        self.assertEqual(text.count("These variants have no steady part: web 3.5 mm at 70 deg. Their values"), 2)
+        self.assertEqual(text.count("The ripple of these variants is still transient: web 3.5 mm at 70 deg."), 2)
+        self.assertIn("<td>last third</td>", text)
 
     def test_unused_entries(self):
         """Variants of several kinds of studies: entries that one of them does not use are left empty, and a column without
         a difference is none."""
-        with tempfile.TemporaryDirectory() as name:
-            for kind, damping, meshes in (("linear static", "1000", "14"), ("run", "0", "14"), ("waves", "5", "20")):
-                folder = Path(name) / kind
-                folder.mkdir()
-                write_run(folder, fields=False)
-                write_parameters(folder, {**make_parameters(), "Study/kind": (kind, ""), "Dynamics/mass proportional damping": (damping, "1/s"),
-                                          "Operation/mesh cycles": (meshes, "")})
-                (folder / "report.html").write_text("made by the run")
-            make_page(name)
-            text = self.read(name)
-            self.assertIn("<th>mass proportional damping</th>", text)
-            self.assertNotIn("1000 1/s", text)
-            self.assertNotIn("<th>mesh cycles</th>", text)
-            self.assertIn("report.html in its folder", text)
+        for kind, damping, meshes in (("linear static", "1000", "14"), ("run", "0", "14"), ("waves", "5", "20")):
+            folder = self.path / kind
+            folder.mkdir()
+            write_run(folder, fields=False)
+            write_parameters(folder, {**make_parameters(), "Study/kind": (kind, ""), "Dynamics/mass proportional damping": (damping, "1/s"),
+                                      "Operation/mesh cycles": (meshes, "")})
+            (folder / "report.html").write_text("made by the run")
+        make_page(self.path)
+        text = self.read(self.path)
+        self.assertIn("<th>mass proportional damping</th>", text)
+        self.assertNotIn("1000 1/s", text)
+        self.assertNotIn("<th>mesh cycles</th>", text)
+        self.assertIn("report.html in its folder", text)
 
     def test_ledger(self):
-        with tempfile.TemporaryDirectory() as name:
-            row = {"quantity": "mean dte", "unit": "arcsec", "value": -84.0, "reference": -79.98766,
-                   "reference kind": "FEM", "difference": -4.01234, "tolerance": 1.0,
-                   "verdict": "differs", "reason": "coarse"}
-            open_one = {**row, "verdict": "not judged", "tolerance": None}
-            (Path(name) / "comparison.json").write_text(json.dumps(
-                {"title": "t", "cases": [{"name": "first", "kind": "run", "folder": "results/a"}],
-                 "remarks": ["nothing of second is compared"], "rows": [row, open_one, open_one]}))
-            main([name])
-            text = self.read(name)
-            for words in ("The comparison has 3 rows: 0 within the tolerance, 1 beyond it, 2 not judged.", "<td>results/a</td>",
-                          "Nothing of second is compared."):
-                self.assertIn(words, text)
-            # Numbers to be compared have five digits, what they differ by has three.
-            self.assertIn("\u221279.988</td>", text)
-            self.assertIn("\u22124.01</td>", text)
-            self.assertNotIn("\u22124.0123", text)
+        row = {"quantity": "mean dte", "unit": "arcsec", "value": -84.0, "reference": -79.98766,
+               "reference kind": "FEM", "difference": -4.01234, "tolerance": 1.0,
+               "verdict": "differs", "reason": "coarse"}
+        open_one = {**row, "verdict": "not judged", "tolerance": None}
+        (self.path / "comparison.json").write_text(json.dumps(
+            {"title": "t", "cases": [{"name": "first", "kind": "run", "folder": "results/a"}],
+             "remarks": ["nothing of second is compared"], "rows": [row, open_one, open_one]}))
+        main([str(self.path)])
+        text = self.read(self.path)
+        for words in ("The comparison has 3 rows: 0 within the tolerance, 1 beyond it, 2 not judged.", "<td>results/a</td>",
+                      "Nothing of second is compared."):
+            self.assertIn(words, text)
+        # Numbers to be compared have five digits, what they differ by has three.
+        self.assertIn("\u221279.988</td>", text)
+        self.assertIn("\u22124.01</td>", text)
+        self.assertNotIn("\u22124.0123", text)
 
     def test_tooth_contact(self):
         """Both sides of an unloaded analysis beside each other, words as words, and what is left of the teeth."""
@@ -362,36 +354,34 @@ class Pages(unittest.TestCase):
         analysis = {"working": {"driving member": "pinion", "direction of rotation": "forward", "side": "drive"},
                     "drive": drive, "coast": coast, "unequal teeth": {"peak to peak": quantity(98.205, "arcsec")},
                     "teeth": {"pinion": sections, "gear": sections}}
-        with tempfile.TemporaryDirectory() as name:
-            (Path(name) / "tca.json").write_text(json.dumps(analysis))
-            main([name])
-            text = re.sub(r"\s+", " ", self.read(name))
-            for words in ("On the drive side the path of contact ends before", "98.2",
-                          "The pinion drives forward, so the drive side is in contact.", "On the coast side contact is interrupted before",
-                          "before the path: border", "<td>gear tip</td>"):
-                self.assertIn(words, text)
-            coast["path"]["contact ratio"]["value"] = 2.26
-            (Path(name) / "tca.json").write_text(json.dumps(analysis))
-            main([name])
-            self.assertIn("On the coast side the flanks have no transfer point.", re.sub(r"\s+", " ", self.read(name)))
-            for row in (("path of contact: contact ratio", "-", "1.69", "0.9"), ("transfer point: peak to peak", "arcsec", "3.98", "–"),
-                        ("tip land", "mm", *["1.5", "1.6", "1.7"] * 2)):
-                cells = [re.escape(cell) for cell in row]
-                self.assertRegex(text, r"</td>\s*<td[^>]*>".join(cells))
-            self.assertNotIn("normal x", text)
-            # Mounting errors may leave nothing on the side that does not work.
-            del analysis["coast"]
-            (Path(name) / "tca.json").write_text(json.dumps({**analysis, "marking compound thickness": quantity(6.35, "um")}))
-            main([name])
-            text = re.sub(r"\s+", " ", self.read(name))
-            for words in ("On the coast side the flanks have no contact inside their borders", "marking compound of 6.35 um"):
-                self.assertIn(words, text)
+        (self.path / "tca.json").write_text(json.dumps(analysis))
+        main([str(self.path)])
+        text = re.sub(r"\s+", " ", self.read(self.path))
+        for words in ("On the drive side the path of contact ends before", "98.2",
+                      "The pinion drives forward, so the drive side is in contact.", "On the coast side contact is interrupted before",
+                      "before the path: border", "<td>gear tip</td>"):
+            self.assertIn(words, text)
+        coast["path"]["contact ratio"]["value"] = 2.26
+        (self.path / "tca.json").write_text(json.dumps(analysis))
+        main([str(self.path)])
+        self.assertIn("On the coast side the flanks have no transfer point.", re.sub(r"\s+", " ", self.read(self.path)))
+        for row in (("path of contact: contact ratio", "-", "1.69", "0.9"), ("transfer point: peak to peak", "arcsec", "3.98", "–"),
+                    ("tip land", "mm", *["1.5", "1.6", "1.7"] * 2)):
+            cells = [re.escape(cell) for cell in row]
+            self.assertRegex(text, r"</td>\s*<td[^>]*>".join(cells))
+        self.assertNotIn("normal x", text)
+        # Mounting errors may leave nothing on the side that does not work.
+        del analysis["coast"]
+        (self.path / "tca.json").write_text(json.dumps({**analysis, "marking compound thickness": quantity(6.35, "um")}))
+        main([str(self.path)])
+        text = re.sub(r"\s+", " ", self.read(self.path))
+        for words in ("On the coast side the flanks have no contact inside their borders", "marking compound of 6.35 um"):
+            self.assertIn(words, text)
 
     def test_nothing(self):
-        with tempfile.TemporaryDirectory() as name:
-            for folder, words in ((name, "neither results"), (name + "/a", "no folder")):
-                with self.assertRaisesRegex(SystemExit, words):
-                    main([folder])
+        for folder, words in ((str(self.path), "neither results"), (str(self.path / "a"), "no folder")):
+            with self.assertRaisesRegex(SystemExit, words):
+                main([folder])
 
     def test_numbers(self):
         for value, text in ((1234567, "1\u202f234\u202f567"), (-80, "\u221280"), (-83.92, "\u221283.92"), (0.0, "0"),
@@ -415,14 +405,13 @@ class Pages(unittest.TestCase):
     def test_words(self):
         """What the report says in words of its own it explains, and nothing else."""
         self.assertTrue(all(names and "](" not in text for names, text in read_glossary()))
-        with tempfile.TemporaryDirectory() as name:
-            write_run(Path(name), fields=False)
-            make_page(name)
-            words = self.read(name).partition(">Words</h2>")[2]
-            for word in ("ripple", "rim dte", "energy error"):
-                self.assertIn(f">{word}</td>", words)
-            for word in ("undercut indicator", "share of the static rotation", "]("):
-                self.assertNotIn(word, words)
+        write_run(self.path, fields=False)
+        make_page(self.path)
+        words = self.read(self.path).partition(">Words</h2>")[2]
+        for word in ("ripple", "rim dte", "energy error"):
+            self.assertIn(f">{word}</td>", words)
+        for word in ("undercut indicator", "share of the static rotation", "]("):
+            self.assertNotIn(word, words)
 
     def test_escape(self):
         page = Page("a < b", "c & d")
@@ -483,17 +472,16 @@ class Pages(unittest.TestCase):
 
     def test_texts_of_files(self):
         """Whatever the files and the folder are called and say is text, not markup."""
-        with tempfile.TemporaryDirectory() as name:
-            study = Path(name) / self.MARKUP
-            for thickness in ("5", "3.5"):
-                self.write_spoilt_run(study / f"{thickness} {self.MARKUP}", thickness)
-            shown, words = self.check_escaped(study / f"5 {self.MARKUP}")
-            self.assertGreater(shown, 60)
-            for before in ("failed", "warning", "pinion", "Steady from 0.2 ms", "made up", "mJ"):
-                self.assertIn(before + self.MARKUP, words)
-            shown, words = self.check_escaped(study)
-            self.assertGreater(shown, 40)
-            self.assertIn(f"5 {self.MARKUP}", words)
+        study = self.path / self.MARKUP
+        for thickness in ("5", "3.5"):
+            self.write_spoilt_run(study / f"{thickness} {self.MARKUP}", thickness)
+        shown, words = self.check_escaped(study / f"5 {self.MARKUP}")
+        self.assertGreater(shown, 60)
+        for before in ("failed", "warning", "pinion", "Steady from 0.2 ms", "made up", "mJ"):
+            self.assertIn(before + self.MARKUP, words)
+        shown, words = self.check_escaped(study)
+        self.assertGreater(shown, 40)
+        self.assertIn(f"5 {self.MARKUP}", words)
 
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@ import unittest
 from pathlib import Path
 
 from made_up_run import (  # first: ends the test without the libraries
-    CORNERS, make_pair, make_ring, write_run, write_vtu)
+    FolderTest, CORNERS, make_pair, make_ring, write_run, write_vtu)
 
 import numpy as np
 
@@ -83,34 +83,33 @@ class Geometry(unittest.TestCase):
             self.assertLess(np.abs(canvas.value[drawn] - 3).max(), 1e-6)  # single precision
 
 
-class PiecesOfRanks(unittest.TestCase):
+class PiecesOfRanks(FolderTest):
     EMPTY = ('<VTKFile><UnstructuredGrid><Piece NumberOfPoints="0" NumberOfCells="0"/>'
              '</UnstructuredGrid></VTKFile>')
 
     def test_pieces(self):
         """Two ranks with halves of the cells, one without any."""
-        with tempfile.TemporaryDirectory() as name:
-            folder, fields = Path(name), make_pair()
-            half = len(fields) // 2
-            write_vtu(folder / "0.vtu", fields.take(slice(half)))
-            write_vtu(folder / "1.vtu", fields.take(slice(half, None)))
-            (folder / "2.vtu").write_text(self.EMPTY)
-            (folder / "all.pvtu").write_text("<VTKFile><PUnstructuredGrid>" + "".join(
-                f'<Piece Source="{k}.vtu"/>' for k in range(3)) + "</PUnstructuredGrid></VTKFile>")
-            instants = "".join(f'<DataSet timestep="{time}" file="{file}"/>' for time, file in (
-                ("0.001", "all.pvtu"), ("0.0005", "nothing.vtu")))
-            pvd = folder / "fields.pvd"
-            pvd.write_text(f"<VTKFile><Collection>{instants}</Collection></VTKFile>")
-            read = read_last_fields(pvd)
-            self.assertEqual(read.time, 1e-3)
-            self.assertTrue(np.array_equal(read.points, fields.points))
-            for key, values in fields.data.items():
-                self.assertTrue(np.array_equal(read[key], values), key)
-            (folder / "1.vtu").write_text((folder / "1.vtu").read_text()[:500])
-            with self.assertRaisesRegex(ValueError, "damaged"):
-                read_last_fields(pvd)
-            pvd.write_text("<VTKFile><Collection/></VTKFile>")
-            self.assertIsNone(read_last_fields(pvd))
+        folder, fields = self.path, make_pair()
+        half = len(fields) // 2
+        write_vtu(folder / "0.vtu", fields.take(slice(half)))
+        write_vtu(folder / "1.vtu", fields.take(slice(half, None)))
+        (folder / "2.vtu").write_text(self.EMPTY)
+        (folder / "all.pvtu").write_text("<VTKFile><PUnstructuredGrid>" + "".join(
+            f'<Piece Source="{k}.vtu"/>' for k in range(3)) + "</PUnstructuredGrid></VTKFile>")
+        instants = "".join(f'<DataSet timestep="{time}" file="{file}"/>' for time, file in (
+            ("0.001", "all.pvtu"), ("0.0005", "nothing.vtu")))
+        pvd = folder / "fields.pvd"
+        pvd.write_text(f"<VTKFile><Collection>{instants}</Collection></VTKFile>")
+        read = read_last_fields(pvd)
+        self.assertEqual(read.time, 1e-3)
+        self.assertTrue(np.array_equal(read.points, fields.points))
+        for key, values in fields.data.items():
+            self.assertTrue(np.array_equal(read[key], values), key)
+        (folder / "1.vtu").write_text((folder / "1.vtu").read_text()[:500])
+        with self.assertRaisesRegex(ValueError, "damaged"):
+            read_last_fields(pvd)
+        pvd.write_text("<VTKFile><Collection/></VTKFile>")
+        self.assertIsNone(read_last_fields(pvd))
 
 
 class Histories(unittest.TestCase):
@@ -133,38 +132,36 @@ class Histories(unittest.TestCase):
         self.assertLess(np.sort(amplitudes)[-2], 1e-10)
 
 
-class Meridians(unittest.TestCase):
+class Meridians(FolderTest):
     def test_sections_of_a_shaft(self):
         """All of one kind: one colour, one row of the legend."""
-        with tempfile.TemporaryDirectory() as name:
-            parts = ("rim", "shaft 1", "shaft 2")
-            rows = [f"pinion,{part},{r},{z}" for part in parts for r, z in ((1, 0), (1, 2), (0, 2), (0, 0))]
-            (Path(name) / "meridian.csv").write_text("\n".join(["body,part,r [mm],z [mm]", *rows, ""]))
-            read = read_parts(Path(name), "pinion")
-            self.assertEqual(tuple(read), parts)
-            axes, = draw_meridians([("pinion", read)]).axes
-            self.assertEqual([text.get_text() for text in axes.get_legend().get_texts()], ["rim", "shaft"])
-            colours = [patch.get_facecolor() for patch in axes.patches]
-            self.assertEqual(colours[1], colours[2])
-            self.assertNotEqual(colours[0], colours[1])
+        parts = ("rim", "shaft 1", "shaft 2")
+        rows = [f"pinion,{part},{r},{z}" for part in parts for r, z in ((1, 0), (1, 2), (0, 2), (0, 0))]
+        (self.path / "meridian.csv").write_text("\n".join(["body,part,r [mm],z [mm]", *rows, ""]))
+        read = read_parts(self.path, "pinion")
+        self.assertEqual(tuple(read), parts)
+        axes, = draw_meridians([("pinion", read)]).axes
+        self.assertEqual([text.get_text() for text in axes.get_legend().get_texts()], ["rim", "shaft"])
+        colours = [patch.get_facecolor() for patch in axes.patches]
+        self.assertEqual(colours[1], colours[2])
+        self.assertNotEqual(colours[0], colours[1])
 
 
-class RootSections(unittest.TestCase):
+class RootSections(FolderTest):
     def test_steps(self):
         """A step as long as its section; tension of one member's fillets, then of the other's."""
         lines = ["body,fillet,face from [mm],face to [mm],tension [MPa],compression [MPa]"]
         for body, fillet, size in (("pinion", "concave", 200), ("pinion", "convex", 50), ("gear", "convex", 100)):
             lines += [f"{body},{fillet},0,10,{size},{-2 * size}", f"{body},{fillet},10,30,{size + 1},{-2 * size - 1}"]
-        with tempfile.TemporaryDirectory() as name:
-            (Path(name) / "root_sections.csv").write_text("\n".join([*lines, ""]))
-            pinion, gear = draw_sections(RunFolder(name)).axes
-            steps = pinion.patches[0].get_data()
-            self.assertEqual(list(steps.values), [200, 201])
-            self.assertEqual(list(steps.edges), [0, 10, 30])
-            self.assertEqual([list(p.get_data().values) for p in gear.patches], [[100, 101], [-200, -201]])
-            self.assertEqual([p.get_label() for p in pinion.patches][2:], ["convex fillet, tension", "convex fillet, compression"])
-            main([name])
-            self.assertIn("root_sections", (Path(name) / "report.html").read_text())
+        (self.path / "root_sections.csv").write_text("\n".join([*lines, ""]))
+        pinion, gear = draw_sections(RunFolder(self.path)).axes
+        steps = pinion.patches[0].get_data()
+        self.assertEqual(list(steps.values), [200, 201])
+        self.assertEqual(list(steps.edges), [0, 10, 30])
+        self.assertEqual([list(p.get_data().values) for p in gear.patches], [[100, 101], [-200, -201]])
+        self.assertEqual([p.get_label() for p in pinion.patches][2:], ["convex fillet, tension", "convex fillet, compression"])
+        main([str(self.path)])
+        self.assertIn("root_sections", (self.path / "report.html").read_text())
 
 
 class Bearings(unittest.TestCase):
@@ -288,7 +285,7 @@ class DrivenWaves(unittest.TestCase):
                     self.assertIn("".join(f'<td class="number">{share}</td>' for share in (2, 2, 1, 1, 1.1)), page)
 
 
-class RunUp(unittest.TestCase):
+class RunUp(FolderTest):
     """A pair that runs up from 1000 to 3000 rpm in 0.2 s, its mesh frequency from 500 to 1500 Hz: order 1 of 4
     arcsec, order 2 of 1 arcsec."""
 
@@ -315,62 +312,57 @@ class RunUp(unittest.TestCase):
             (folder / file).unlink()
 
     def test_plots(self):
-        with tempfile.TemporaryDirectory() as name:
-            folder = Path(name)
-            self.write(folder)
-            run = RunFolder(folder)
-            self.assertTrue(run.changes_speed())
-            # -6000 rpm at the start: the integral of 1 + 10 t.
-            turn = run.gear_turn(np.array([0.1, 0.2]))
-            self.assertLess(np.abs(turn / (-200 * np.pi * np.array([0.15, 0.4])) - 1).max(), 1e-9)
-            above, below = draw_orders(run).axes
-            self.assertEqual([line.get_label() for line in above.lines], ["mesh order 1", "mesh order 2"])
-            self.assertTrue(np.all(above.lines[0].get_ydata() == 4))
-            self.assertTrue(np.all(below.lines[1].get_ydata() == 10))
-            time, frequency, amplitude = compute_window_spectra(run.history["time"], run.history["dte"])
-            mesh = np.interp(time, run.history["time"], run.history["mesh frequency"])
-            top = frequency[np.argmax(amplitude, axis=1)]
-            self.assertLess(np.abs(top / mesh - 1).max(), 0.1)
-            main([name])
-            page = (folder / "report.html").read_text()
-            self.assertIn("changes from 1000 to 3000 rpm", page)
-            drawn = {path.name for path in (folder / "pictures").iterdir() if path.suffix == ".svg"}
-            self.assertTrue({"orders.svg", "waterfall.svg", "dte.svg"} <= drawn)
-            self.assertFalse({"spectra.svg", "sidebands.svg", "waterfall_force.svg"} & drawn)
+        self.write(self.path)
+        run = RunFolder(self.path)
+        self.assertTrue(run.changes_speed())
+        # -6000 rpm at the start: the integral of 1 + 10 t.
+        turn = run.gear_turn(np.array([0.1, 0.2]))
+        self.assertLess(np.abs(turn / (-200 * np.pi * np.array([0.15, 0.4])) - 1).max(), 1e-9)
+        above, below = draw_orders(run).axes
+        self.assertEqual([line.get_label() for line in above.lines], ["mesh order 1", "mesh order 2"])
+        self.assertTrue(np.all(above.lines[0].get_ydata() == 4))
+        self.assertTrue(np.all(below.lines[1].get_ydata() == 10))
+        time, frequency, amplitude = compute_window_spectra(run.history["time"], run.history["dte"])
+        mesh = np.interp(time, run.history["time"], run.history["mesh frequency"])
+        top = frequency[np.argmax(amplitude, axis=1)]
+        self.assertLess(np.abs(top / mesh - 1).max(), 0.1)
+        main([str(self.path)])
+        page = (self.path / "report.html").read_text()
+        self.assertIn("changes from 1000 to 3000 rpm", page)
+        drawn = {path.name for path in (self.path / "pictures").iterdir() if path.suffix == ".svg"}
+        self.assertTrue({"orders.svg", "waterfall.svg", "dte.svg"} <= drawn)
+        self.assertFalse({"spectra.svg", "sidebands.svg", "waterfall_force.svg"} & drawn)
 
 
-class WholeRun(unittest.TestCase):
+class WholeRun(FolderTest):
     def test_all_pictures(self):
-        with tempfile.TemporaryDirectory() as name:
-            folder = Path(name)
-            write_run(folder)
-            main(["plots", name])
-            drawn = {path.name for path in (folder / "pictures").iterdir() if path.suffix != ".csv"}
-            self.assertEqual(drawn, {
-                "dte.svg", "contact_force.svg", "load_sharing.svg", "contact_pattern.svg",
-                "tooth_engagement.svg", "energies.svg", "probes.svg", "spectra.svg",
-                "rim_content.svg", "rim_history.svg", "rim_waves.svg",
-                "bodies.png", "teeth_in_mesh.png", "meridian_section.png", "deformation.png"})
-            # The numbers beside a plot are those of the history; maps have none.
-            table = Table(folder / "pictures" / "contact_force.csv")
-            total = table["curve"] == "total"
-            self.assertEqual(np.count_nonzero(total), 101)
-            self.assertTrue(np.all(table["y"][total] == 9000))
-            self.assertFalse((folder / "pictures" / "contact_pattern.csv").exists())
+        write_run(self.path)
+        main(["plots", str(self.path)])
+        drawn = {path.name for path in (self.path / "pictures").iterdir() if path.suffix != ".csv"}
+        self.assertEqual(drawn, {
+            "dte.svg", "contact_force.svg", "load_sharing.svg", "contact_pattern.svg",
+            "tooth_engagement.svg", "energies.svg", "probes.svg", "spectra.svg",
+            "rim_content.svg", "rim_history.svg", "rim_waves.svg",
+            "bodies.png", "teeth_in_mesh.png", "meridian_section.png", "deformation.png"})
+        # The numbers beside a plot are those of the history; maps have none.
+        table = Table(self.path / "pictures" / "contact_force.csv")
+        total = table["curve"] == "total"
+        self.assertEqual(np.count_nonzero(total), 101)
+        self.assertTrue(np.all(table["y"][total] == 9000))
+        self.assertFalse((self.path / "pictures" / "contact_pattern.csv").exists())
 
     def test_legends(self):
         """They stand beside the axes, where no curve is."""
-        with tempfile.TemporaryDirectory() as name:
-            write_run(Path(name), fields=False)
-            run = RunFolder(Path(name))
-            for draw in (draw_transmission_error, draw_energies):
-                plot = draw(run)
-                plot.canvas.draw()
-                legends = [(axes, axes.get_legend()) for axes in plot.axes if axes.get_legend()]
-                self.assertTrue(legends)
-                for axes, legend in legends:
-                    self.assertGreaterEqual(legend.get_window_extent().x0, axes.get_window_extent().x1)
-                    self.assertLessEqual(legend.get_window_extent().x1, plot.bbox.x1 + 1)
+        write_run(self.path, fields=False)
+        run = RunFolder(self.path)
+        for draw in (draw_transmission_error, draw_energies):
+            plot = draw(run)
+            plot.canvas.draw()
+            legends = [(axes, axes.get_legend()) for axes in plot.axes if axes.get_legend()]
+            self.assertTrue(legends)
+            for axes, legend in legends:
+                self.assertGreaterEqual(legend.get_window_extent().x0, axes.get_window_extent().x1)
+                self.assertLessEqual(legend.get_window_extent().x1, plot.bbox.x1 + 1)
 
     def test_names_of_users(self):
         """An underscore in front or dollar signs make no name vanish, nor a formula of it."""
@@ -402,10 +394,9 @@ class WholeRun(unittest.TestCase):
                 self.assertEqual("pinion tooth/gear tooth" in axes.get_title(loc="left"), bool(named))
 
     def test_no_run(self):
-        with tempfile.TemporaryDirectory() as name:
-            for folder, words in ((name, "neither histories nor fields"), (name + "/a", "no folder")):
-                with self.assertRaisesRegex(SystemExit, words):
-                    main(["plots", folder])
+        for folder, words in ((str(self.path), "neither histories nor fields"), (str(self.path / "a"), "no folder")):
+            with self.assertRaisesRegex(SystemExit, words):
+                main(["plots", folder])
 
 
 if __name__ == "__main__":

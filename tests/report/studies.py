@@ -8,7 +8,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 from made_up_run import (  # first: ends the test without the libraries
-    make_parameters, make_ring, quantity, read_report, write_parameters, write_run)
+    FolderTest, make_parameters, make_ring, quantity, read_report, write_parameters, write_run)
 
 import meshio
 import numpy as np
@@ -34,33 +34,31 @@ COUPLED = ("axes,mode [-],frequency [Hz],share of the static rotation [-],energy
            "share of the diameter [-],axial [-],radial [-],tangential [-]\nstanding,1,1571.25,0.62,0.9,0,0.8,0.1,0.1,0.8\n")
 
 
-class Studies(unittest.TestCase):
+class Studies(FolderTest):
     def test_frequencies(self):
         """The lowest modes are a table; the diagram says whose speed it is over, where the pair works, and which line is which."""
-        with tempfile.TemporaryDirectory() as name:
-            folder = Path(name)
-            write_parameters(folder, {**make_parameters(), "Study/kind": ("modal", "")})
-            (folder / "modes.csv").write_text(MODES)
-            (folder / "campbell.csv").write_text(CAMPBELL)
-            (folder / "resonances.csv").write_text(RESONANCES)
-            text = read_report(folder)
-            self.assertIn("1001.5", text)
-            self.assertIn("1012.5", text)
-            self.assertNotIn("1013.5", text)
-            self.assertIn("12 of 30 rows of modes.csv", text)
-            axes = draw_campbell(RunFolder(folder), "gear").axes[0]
-            self.assertEqual(axes.get_xlabel(), "speed of the gear [rpm]")
-            self.assertIn("operating speed, 6835 rpm", [line.get_label() for line in axes.lines])  # 20000 27/79
-            # Lines are those of the orders themselves: 1080 Hz at 803 rpm is met two turns above, 1040 Hz at 400 rpm two below.
-            for order, slope in ((1, 60 * 1.080 / 803 - 2 / 1000), (2, 60 * 1.040 / 400 + 2 / 1000)):
-                line, = (line for line in axes.lines if line.get_gid() == f"mesh order {order}")
-                self.assertAlmostEqual(line.get_ydata()[-1], slope / 60 * 9000 , places=9)
-            axes.figure.canvas.draw()
-            inside = axes.get_window_extent()
-            self.assertEqual([one.get_text() for one in axes.texts], ["mesh order 1", "mesh order 2"])
-            for one in axes.texts:
-                self.assertFalse(one.get_window_extent().overlaps(inside), one.get_text())
-            self.assertNotIn("whirl", text)
+        write_parameters(self.path, {**make_parameters(), "Study/kind": ("modal", "")})
+        (self.path / "modes.csv").write_text(MODES)
+        (self.path / "campbell.csv").write_text(CAMPBELL)
+        (self.path / "resonances.csv").write_text(RESONANCES)
+        text = read_report(self.path)
+        self.assertIn("1001.5", text)
+        self.assertIn("1012.5", text)
+        self.assertNotIn("1013.5", text)
+        self.assertIn("12 of 30 rows of modes.csv", text)
+        axes = draw_campbell(RunFolder(self.path), "gear").axes[0]
+        self.assertEqual(axes.get_xlabel(), "speed of the gear [rpm]")
+        self.assertIn("operating speed, 6835 rpm", [line.get_label() for line in axes.lines])  # 20000 27/79
+        # Lines are those of the orders themselves: 1080 Hz at 803 rpm is met two turns above, 1040 Hz at 400 rpm two below.
+        for order, slope in ((1, 60 * 1.080 / 803 - 2 / 1000), (2, 60 * 1.040 / 400 + 2 / 1000)):
+            line, = (line for line in axes.lines if line.get_gid() == f"mesh order {order}")
+            self.assertAlmostEqual(line.get_ydata()[-1], slope / 60 * 9000 , places=9)
+        axes.figure.canvas.draw()
+        inside = axes.get_window_extent()
+        self.assertEqual([one.get_text() for one in axes.texts], ["mesh order 1", "mesh order 2"])
+        for one in axes.texts:
+            self.assertFalse(one.get_window_extent().overlaps(inside), one.get_text())
+        self.assertNotIn("whirl", text)
 
     def test_shapes_of_any_body(self):
         """No diameters, and no -1 for them, where a body has none; whirl where there is any."""
@@ -75,23 +73,21 @@ class Studies(unittest.TestCase):
                     self.assertNotIn(words, text)
 
     def test_loaded_contact(self):
-        with tempfile.TemporaryDirectory() as name:
-            (Path(name) / "coupled_modes.csv").write_text(COUPLED)
-            text = read_report(name)
-            for words in ("1571.2", "share of the static rotation", "0.62"):
-                self.assertIn(words, text)
+        (self.path / "coupled_modes.csv").write_text(COUPLED)
+        text = read_report(self.path)
+        for words in ("1571.2", "share of the static rotation", "0.62"):
+            self.assertIn(words, text)
 
     def test_at_rest(self):
         """Fields of single bodies, which no instant names."""
-        with tempfile.TemporaryDirectory() as name:
-            (Path(name) / "fields").mkdir()
-            points = make_ring(20, 30, 5, 24)
-            n = len(points)
-            meshio.Mesh(points.reshape(-1, 3), [("hexahedron", np.arange(8 * n).reshape(n, 8))],
-                        {"von mises": points[..., 0].ravel() ** 2}).write(Path(name) / "fields" / "ring.vtu")
-            text = read_report(name)
-            self.assertTrue((Path(name) / "pictures" / "bodies.png").is_file())
-            self.assertEqual(text.count("<img "), 1)
+        (self.path / "fields").mkdir()
+        points = make_ring(20, 30, 5, 24)
+        n = len(points)
+        meshio.Mesh(points.reshape(-1, 3), [("hexahedron", np.arange(8 * n).reshape(n, 8))],
+                    {"von mises": points[..., 0].ravel() ** 2}).write(self.path / "fields" / "ring.vtu")
+        text = read_report(self.path)
+        self.assertTrue((self.path / "pictures" / "bodies.png").is_file())
+        self.assertEqual(text.count("<img "), 1)
 
     def test_instants(self):
         """Pictures say when they are of; the time of an equilibrium is a part of the load."""
@@ -103,48 +99,45 @@ class Studies(unittest.TestCase):
 
     def test_analyses(self):
         """Three loaded analyses with other offsets: their figures stand beside each other, and are curves."""
-        with tempfile.TemporaryDirectory() as name:
-            for number, offset in enumerate((0.0, 0.1, 0.2)):
-                folder = Path(name) / f"run_{number + 1:02}"
-                folder.mkdir()
-                write_parameters(folder, {**make_parameters(), "Gear pair/Mounting/offset": (f"{offset}", "mm")})
-                (folder / "figures.json").write_text(json.dumps(
-                    {"transmission error mean": quantity(-80.25 - number, "arcsec"),
-                     "transmission error peak to peak": quantity(8, "arcsec"),
-                     **{f"stress {k}": quantity(100 + k, "MPa") for k in range(9)}}))
-                (folder / "edge_contact.json").write_text(json.dumps(
-                    {"edge contact": number == 1, "explanation": "edges"}))
-            text = read_report(name)
-            self.assertIn("These variants have edge contact: offset 0.1 mm.", text)
-            curves = draw_curves(Study(Path(name)))
-            # A mean of hundreds would flatten a peak to peak of eight; nine curves are more than there are colours.
-            self.assertEqual([axes.get_title(loc="left") for axes in curves.axes],
-                             ["transmission error, mean", "transmission error, oscillation, peak to peak", ""])
-            looks = [(line.get_color(), line.get_linestyle()) for line in curves.axes[2].lines]
-            self.assertEqual(len(set(looks)), 9)
-            for words in ("offset 0.1 mm", "transmission error mean", "\u221280.25", "\u221282.25", "finished"):
-                self.assertIn(words, text)
-            self.assertTrue((Path(name) / "pictures" / "curves.svg").is_file())
+        for number, offset in enumerate((0.0, 0.1, 0.2)):
+            folder = self.path / f"run_{number + 1:02}"
+            folder.mkdir()
+            write_parameters(folder, {**make_parameters(), "Gear pair/Mounting/offset": (f"{offset}", "mm")})
+            (folder / "figures.json").write_text(json.dumps(
+                {"transmission error mean": quantity(-80.25 - number, "arcsec"),
+                 "transmission error peak to peak": quantity(8, "arcsec"),
+                 **{f"stress {k}": quantity(100 + k, "MPa") for k in range(9)}}))
+            (folder / "edge_contact.json").write_text(json.dumps(
+                {"edge contact": number == 1, "explanation": "edges"}))
+        text = read_report(self.path)
+        self.assertIn("These variants have edge contact: offset 0.1 mm.", text)
+        curves = draw_curves(Study(self.path))
+        # A mean of hundreds would flatten a peak to peak of eight; nine curves are more than there are colours.
+        self.assertEqual([axes.get_title(loc="left") for axes in curves.axes],
+                         ["transmission error, mean", "transmission error, oscillation, peak to peak", ""])
+        looks = [(line.get_color(), line.get_linestyle()) for line in curves.axes[2].lines]
+        self.assertEqual(len(set(looks)), 9)
+        for words in ("offset 0.1 mm", "transmission error mean", "\u221280.25", "\u221282.25", "finished"):
+            self.assertIn(words, text)
+        self.assertTrue((self.path / "pictures" / "curves.svg").is_file())
 
     def test_comparison(self):
         """What rows are compared with stands below them, and the run beside the static curve."""
-        with tempfile.TemporaryDirectory() as name:
-            folder = Path(name)
-            (folder / "run").mkdir()
-            write_run(folder / "run", fields=False)
-            (folder / "loaded").mkdir()
-            (folder / "loaded" / "loaded_contact.csv").write_text(
-                "position [mesh cycles],transmission error [arcsec]\n0,-80\n0.5,-81\n")
-            row = {"quantity": "mean dte", "unit": "arcsec", "value": -84.0, "reference": -80.0, "reference kind": "FEM",
-                   "difference": -4.0, "tolerance": 1.0, "verdict": "differs", "reason": "coarse mesh"}
-            (folder / "comparison.json").write_text(json.dumps({"title": "t", "rows": [row]}))
-            text = read_report(folder)
-            self.assertIn('<tr class="note"><td colspan="8"><div>FEM: coarse mesh</div></td></tr>', text)
-            self.assertNotIn("<th>why</th>", text)
-            self.assertTrue((folder / "pictures" / "static_curve.svg").is_file())
+        (self.path / "run").mkdir()
+        write_run(self.path / "run", fields=False)
+        (self.path / "loaded").mkdir()
+        (self.path / "loaded" / "loaded_contact.csv").write_text(
+            "position [mesh cycles],transmission error [arcsec]\n0,-80\n0.5,-81\n")
+        row = {"quantity": "mean dte", "unit": "arcsec", "value": -84.0, "reference": -80.0, "reference kind": "FEM",
+               "difference": -4.0, "tolerance": 1.0, "verdict": "differs", "reason": "coarse mesh"}
+        (self.path / "comparison.json").write_text(json.dumps({"title": "t", "rows": [row]}))
+        text = read_report(self.path)
+        self.assertIn('<tr class="note"><td colspan="8"><div>FEM: coarse mesh</div></td></tr>', text)
+        self.assertNotIn("<th>why</th>", text)
+        self.assertTrue((self.path / "pictures" / "static_curve.svg").is_file())
 
 
-class Results(unittest.TestCase):
+class Results(FolderTest):
     """The first chapter of each kind has at most five results, each with its accuracy or the reason why none is known; the chapter
     about trust has a row for the kind."""
 
@@ -226,17 +219,16 @@ class Results(unittest.TestCase):
 
     def test_variants(self):
         """Ranges over the variants; without error bars the page says how to get them."""
-        with tempfile.TemporaryDirectory() as name:
-            for thickness in ("5", "3.5"):
-                (Path(name) / thickness).mkdir()
-                write_run(Path(name) / thickness, thickness, fields=False)
-            text = read_report(name)
-            study = Study(Path(name))
-            (mean, *_) = list_ranges(study)
-            self.assertEqual(mean[0], "transmission error, mean")
-            self.assertEqual(mean[1:4:2], [-80, -80])
-            self.assertEqual([row[0] for row in list_study_trust(study)],
-                             ["means of the variants", "peak to peak of the variants", "differences between variants"])
+        for thickness in ("5", "3.5"):
+            (self.path / thickness).mkdir()
+            write_run(self.path / thickness, thickness, fields=False)
+        text = read_report(self.path)
+        study = Study(self.path)
+        (mean, *_) = list_ranges(study)
+        self.assertEqual(mean[0], "transmission error, mean")
+        self.assertEqual(mean[1:4:2], [-80, -80])
+        self.assertEqual([row[0] for row in list_study_trust(study)],
+                         ["means of the variants", "peak to peak of the variants", "differences between variants"])
         first = text[text.index(">Results</h2>"):]
         self.assertLess(first.index("transmission error, mean"), first.index(">The variants</h2>"))
         self.assertIn("Differences between variants have no error estimate.", first)

@@ -8,7 +8,7 @@ import unittest
 from pathlib import Path
 
 from made_up_run import (  # first: ends the test without the libraries
-    make_parameters, make_summary, quantity, write_parameters, write_run)
+    FolderTest, make_parameters, make_summary, quantity, write_parameters, write_run)
 
 import numpy as np
 
@@ -98,17 +98,13 @@ def write_response(folder, web, forces):
         "up,web,1500,2500,1.3,2000\ndown,web,1400,2400,1.3,2000\n")
 
 
-class Responses(unittest.TestCase):
+class Responses(FolderTest):
     """Variants that are sweeps over speed."""
 
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.path = Path(self.folder.name)
+        super().setUp()
         write_response(self.path / "run_01", "none", (9000, 12000, 10000))
         write_response(self.path / "run_02", "conical", (9000, 10000, 11000))
-
-    def tearDown(self):
-        self.folder.cleanup()
 
     def test_curves(self):
         """A curve a variant in each panel, and its largest value marked."""
@@ -144,14 +140,10 @@ class Responses(unittest.TestCase):
         self.assertEqual(list(largest.get_ydata()), [45, 60, 50])
 
 
-class Speeds(unittest.TestCase):
+class Speeds(FolderTest):
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.path = Path(self.folder.name)
+        super().setUp()
         write_sweep(self.path, (3000, 2000, 6000, 4000))
-
-    def tearDown(self):
-        self.folder.cleanup()
 
     def test_axis(self):
         """By rising speed, whatever the order of the runs; the modes that stand in space and take part
@@ -205,43 +197,41 @@ class Speeds(unittest.TestCase):
             self.assertTrue(4 < float(row["y"]) <= 6)
 
 
-class Axes(unittest.TestCase):
+class Axes(FolderTest):
     def test_any_number(self):
         """Three thicknesses make curves, two do not, and neither do words."""
-        with tempfile.TemporaryDirectory() as name:
-            for count, thickness in enumerate(("5 mm", "3.5 mm", "6.5 mm"), 1):
-                folder = Path(name) / f"run_{count}"
-                folder.mkdir()
-                write_run(folder, thickness, fields=False)
-                axis = find_axis(find_variants(Path(name)))
-                self.assertEqual(axis is None, count < 3)
-            self.assertEqual(axis.label, "web thickness [mm]")
-            self.assertEqual(list(axis.values), [3.5, 5, 6.5])
-            self.assertIsNone(find_speeds(axis))
-            labels = [axes.get_xlabel() for axes in draw_curves(Study(Path(name))).axes]
-            self.assertEqual(set(labels), {"web thickness [mm]"})
-            write_parameters(Path(name) / "run_3", make_parameters("thick"))
-            self.assertIsNone(find_axis(find_variants(Path(name))))
+        for count, thickness in enumerate(("5 mm", "3.5 mm", "6.5 mm"), 1):
+            folder = self.path / f"run_{count}"
+            folder.mkdir()
+            write_run(folder, thickness, fields=False)
+            axis = find_axis(find_variants(self.path))
+            self.assertEqual(axis is None, count < 3)
+        self.assertEqual(axis.label, "web thickness [mm]")
+        self.assertEqual(list(axis.values), [3.5, 5, 6.5])
+        self.assertIsNone(find_speeds(axis))
+        labels = [axes.get_xlabel() for axes in draw_curves(Study(self.path)).axes]
+        self.assertEqual(set(labels), {"web thickness [mm]"})
+        write_parameters(self.path / "run_3", make_parameters("thick"))
+        self.assertIsNone(find_axis(find_variants(self.path)))
 
 
     def test_general_model(self):
         """Without a gear pair: what probes and contact reach."""
-        with tempfile.TemporaryDirectory() as name:
-            for count in (1, 2, 3):
-                folder = Path(name) / f"run_{count}"
-                folder.mkdir()
-                (folder / "history.csv").write_text(
-                    "time [s],contact force total [N],tip displacement x [mm],tip displacement y [mm]\n"
-                    f"0,0,0,0\n1,0,{-count},0\n2,0,{0.5 * count},0\n")
-                write_parameters(folder, {"Dynamics/mass proportional damping": (f"{count} 1/s", "1/s")})
-            axis = find_axis(find_variants(Path(name)))
-            self.assertEqual(axis.label, "mass proportional damping [1/s]")
-            (panel,) = draw_curves(Study(Path(name))).axes
-            self.assertEqual(panel.get_title(loc="left"), "tip displacement, largest x")
-            self.assertEqual(list(panel.lines[0].get_ydata()), [1, 2, 3])
+        for count in (1, 2, 3):
+            folder = self.path / f"run_{count}"
+            folder.mkdir()
+            (folder / "history.csv").write_text(
+                "time [s],contact force total [N],tip displacement x [mm],tip displacement y [mm]\n"
+                f"0,0,0,0\n1,0,{-count},0\n2,0,{0.5 * count},0\n")
+            write_parameters(folder, {"Dynamics/mass proportional damping": (f"{count} 1/s", "1/s")})
+        axis = find_axis(find_variants(self.path))
+        self.assertEqual(axis.label, "mass proportional damping [1/s]")
+        (panel,) = draw_curves(Study(self.path)).axes
+        self.assertEqual(panel.get_title(loc="left"), "tip displacement, largest x")
+        self.assertEqual(list(panel.lines[0].get_ydata()), [1, 2, 3])
 
 
-class OtherFolders(unittest.TestCase):
+class OtherFolders(FolderTest):
     """What lies beside the cases of a study, in its folder, is none of them."""
 
     def setUp(self):
@@ -273,11 +263,10 @@ class OtherFolders(unittest.TestCase):
         self.assertEqual(self.names(), [])
 
 
-class Errors(unittest.TestCase):
+class Errors(FolderTest):
     def setUp(self):
         """Two webs, each on two meshes; the second one's coarse mesh has failed."""
-        self.folder = tempfile.TemporaryDirectory()
-        self.path = Path(self.folder.name)
+        super().setUp()
         for count, thickness in enumerate(("5 mm", "5 mm", "3.5 mm", "3.5 mm"), 1):
             (self.path / f"run_0{count}").mkdir()
             write_run(self.path / f"run_0{count}", thickness, fields=False)
@@ -298,9 +287,6 @@ class Errors(unittest.TestCase):
             "dte mean,thickness = 5 mm,thickness = 3.5 mm,arcsec,-1.125,nan,nan,not known\n"
             "ripple,thickness = 5 mm,thickness = 3.5 mm,-,-0.5,0.588,0.612,not significant\n"
             "lost,thickness = 5 mm,thickness = 3.5 mm,-,0,0,0,not significant\n")
-
-    def tearDown(self):
-        self.folder.cleanup()
 
     def test_variants(self):
         """Runs that differ by the mesh alone are no variants."""
@@ -344,7 +330,7 @@ class Errors(unittest.TestCase):
         self.assertEqual(ripple.list_others("thickness = 5 mm", "sign significant"), [])
 
 
-class Sidebands(unittest.TestCase):
+class Sidebands(FolderTest):
     def run_of(self, name, meshes):
         write_pair(Path(name), 20000, meshes, lambda at, f: np.cos(2 * np.pi * at) * (
             1 + 0.2 * np.cos(2 * np.pi * at / 27)))
@@ -352,27 +338,25 @@ class Sidebands(unittest.TestCase):
 
     def test_two_revolutions(self):
         """An amplitude that varies by 20 % once a turn of the pinion is two sidebands of 10 %."""
-        with tempfile.TemporaryDirectory() as name:
-            run = self.run_of(name, 54)
-            rows = [row for row in list_sidebands(run) if row[0] == "dte"]
-            self.assertEqual([row[1:3] for row in rows], [[n, "pinion"] for n in (1, 2, 3)])
-            for row, sizes in zip(rows, ((0.1, 1, 0.1), (0, 0, 0), (0, 0, 0))):
-                for value, known in zip(row[4:7], sizes):
-                    self.assertAlmostEqual(value, known, places=9)
-            self.assertIsNotNone(draw_sidebands(run))
-            lines = {row[1] for row in list_other_lines(run) if row[0] == "dte"}
-            sidebands = {f"mesh order 1, {sign}1 rotation of the pinion" for sign in "+-"}
-            self.assertEqual(lines & sidebands, sidebands)
-            text = describe_resolution(run)
-            self.assertIn("gear (114 Hz) are not resolved; they need 158", text)
-            self.assertNotIn("pinion", text)
+        run = self.run_of(self.path, 54)
+        rows = [row for row in list_sidebands(run) if row[0] == "dte"]
+        self.assertEqual([row[1:3] for row in rows], [[n, "pinion"] for n in (1, 2, 3)])
+        for row, sizes in zip(rows, ((0.1, 1, 0.1), (0, 0, 0), (0, 0, 0))):
+            for value, known in zip(row[4:7], sizes):
+                self.assertAlmostEqual(value, known, places=9)
+        self.assertIsNotNone(draw_sidebands(run))
+        lines = {row[1] for row in list_other_lines(run) if row[0] == "dte"}
+        sidebands = {f"mesh order 1, {sign}1 rotation of the pinion" for sign in "+-"}
+        self.assertEqual(lines & sidebands, sidebands)
+        text = describe_resolution(run)
+        self.assertIn("gear (114 Hz) are not resolved; they need 158", text)
+        self.assertNotIn("pinion", text)
 
     def test_too_short(self):
-        with tempfile.TemporaryDirectory() as name:
-            run = self.run_of(name, 53)
-            self.assertEqual(list(list_sidebands(run)), [])
-            self.assertIsNone(draw_sidebands(run))
-            self.assertIn("pinion (333 Hz) are not resolved", describe_resolution(run))
+        run = self.run_of(self.path, 53)
+        self.assertEqual(list(list_sidebands(run)), [])
+        self.assertIsNone(draw_sidebands(run))
+        self.assertIn("pinion (333 Hz) are not resolved", describe_resolution(run))
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@
 
 #include "../gear/paper_pair.h"
 #include "../mesh/paper_members.h"
+#include "../model_parts.h"
 #include "../tests.h"
 
 #include <vfife/mesh/gear/gear_body.h>
@@ -20,23 +21,17 @@ struct RootStresses
 /** The paper's pinion, held by its bore. */
 inline vfife::Model make_held_pinion(const vfife::GearBodyOptions &options)
 {
-  vfife::Model model;
-  model.add_body(
+  vfife::Model model = model_of(
     vfife::Body("pinion", vfife::make_gear_body(paper::pinion(), options), vfife::Material()));
-  vfife::Constraint bore;
-  bore.name         = "bore";
-  bore.nodes        = model.bodies[0].node_set(vfife::node_set::bore);
-  model.constraints = {bore};
+  model.constraints.push_back(
+    {"bore", vfife::ConstraintKind::held, 0, model.bodies[0].node_set(vfife::node_set::bore)});
   return model;
 }
 
 /** 100 MPa on the whole concave flank of tooth 0. */
 inline vfife::Load press_flank(const vfife::Body &body)
 {
-  vfife::Load load;
-  load.name     = "pressure";
-  load.kind     = vfife::LoadKind::pressure;
-  load.pressure = 100.;
+  vfife::Load load = pressure_on({}, 100.);
   for (const unsigned int node : body.mesh().surfaces.at(vfife::surface_name::concave).nodes)
     if (body.structure().sector_of(node) == 0)
       load.nodes.push_back(node);
@@ -65,7 +60,7 @@ inline RootStresses find_largest(const std::deque<vfife::MemberFillet> &fillets,
           const PrincipalStresses stress =
             compute_principal_stresses(compute_surface_stress(strains.facet(member, column, row, 0),
                                                               member.fillet.material()));
-          found.tension     = largest_of(found.tension, stress.first);
+          raise_to(found.tension, stress.first);
           found.compression = -largest_of(-found.compression, -stress.third);
         }
   return found;

@@ -1,11 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // One tooth under pressure: root stresses of a coarse mesh of trilinear elements by a submodel,
 // against those of the fine mesh by itself and against a reference of two other programs.
-#include "../gear/paper_pair.h"
 #include "../mesh/coarsest.h"
-#include "../mesh/paper_members.h"
 #include "../ranks.h"
-#include "../tests.h"
 #include "fillet_readings.h"
 #include "pinion_fillets.h"
 
@@ -13,123 +10,117 @@
 #include <vfife/fem/submodel/sector_submodel.h>
 #include <vfife/fem/system/load_forces.h>
 #include <vfife/model/load_shares.h>
-#include <vfife/study/fillets/facet_readings.h>
 #include <vfife/study/fillets/fillet_faces.h>
 
 using namespace vfife;
 
-namespace
+/** Displacements of all points under the pressure. */
+std::vector<double> solve(const Body &body, const Compliance &compliance)
 {
-  /** Displacements of all points under the pressure. */
-  std::vector<double> solve(const Body &body, const Compliance &compliance)
-  {
-    const FemSpace     &space = compliance.space();
-    std::vector<double> forces(3 * std::size_t(space.n_points()), 0.);
-    add_load_forces(press_flank(body), space, space.parts()[0], 1., forces);
-    return compliance.solve(forces);
-  }
+  const FemSpace     &space = compliance.space();
+  std::vector<double> forces(3 * std::size_t(space.n_points()), 0.);
+  add_load_forces(press_flank(body), space, space.parts()[0], 1., forces);
+  return compliance.solve(forces);
+}
 
-  /** Tractions that are left on all facets of both fillets. */
-  std::vector<PointReading> read_tractions(const FemSpace                 &sector,
-                                           const std::deque<MemberFillet> &fillets)
-  {
-    std::vector<PointReading> readings;
-    for (const MemberFillet &member : fillets)
-      for (unsigned int column = 0; column < member.fillet.n_columns(); ++column)
-        for (unsigned int row = Fillet::first_row; row < member.fillet.end_row(); ++row)
-          readings.push_back(read_traction(sector, member.fillet.facet(column, row, 0)));
-    return readings;
-  }
+/** Tractions that are left on all facets of both fillets. */
+std::vector<PointReading> read_tractions(const FemSpace                 &sector,
+                                         const std::deque<MemberFillet> &fillets)
+{
+  std::vector<PointReading> readings;
+  for (const MemberFillet &member : fillets)
+    for (unsigned int column = 0; column < member.fillet.n_columns(); ++column)
+      for (unsigned int row = Fillet::first_row; row < member.fillet.end_row(); ++row)
+        readings.push_back(read_traction(sector, member.fillet.facet(column, row, 0)));
+  return readings;
+}
 
-  /** Largest tension and compression at mid-face: means of the two columns of facets beside it, as
-   * read_fillets() reads them. */
-  RootStresses find_at_middle(const std::deque<MemberFillet> &fillets,
-                              const Eigen::VectorXd          &values,
-                              std::size_t                     n)
-  {
-    std::size_t n_facets = 0;
-    for (const MemberFillet &member : fillets)
-      n_facets += member.fillet.n_columns() * (member.fillet.end_row() - Fillet::first_row);
-    const std::size_t of_facet = n / n_facets;
-    RootStresses      middle;
-    std::size_t       at = 0;
-    for (const MemberFillet &member : fillets)
-      for (unsigned int column = 0; column < member.fillet.n_columns(); ++column)
-        {
-          double tension = 0., compression = 0.;
-          for (unsigned int row = Fillet::first_row; row < member.fillet.end_row(); ++row)
-            for (std::size_t point = 0; point < of_facet / 3; ++point, at += 3)
-              {
-                const PrincipalStresses stress = compute_principal_stresses(
-                  compute_surface_stress(values.segment<3>(at), member.fillet.material()));
-                tension     = largest_of(tension, stress.first);
-                compression = std::min(compression, stress.third);
-              }
-          if (2 * column + 2 < member.fillet.n_columns() || 2 * column > member.fillet.n_columns())
-            continue;
-          if (member.fillet.side() == surface_name::concave)
-            middle.tension += .5 * tension;
-          else
-            middle.compression += .5 * compression;
-        }
-    return middle;
-  }
-
-  /** A body that grows evenly under pressure from all sides: 3 lambda + 2 mu times the strain. */
-  void check_even_growth(const FemSpace &sector, const std::vector<PointReading> &tractions)
-  {
-    constexpr double growth   = 1e-3;
-    const Material  &material = sector.material(0);
-    const double     pressure = growth * (3. * material.lambda() + 2. * material.mu());
-    double           largest  = 0.;
-    for (const PointReading &reading : tractions)
+/** Largest tension and compression at mid-face: means of the two columns of facets beside it, as
+ * read_fillets() reads them. */
+RootStresses find_at_middle(const std::deque<MemberFillet> &fillets,
+                            const Eigen::VectorXd          &values,
+                            std::size_t                     n)
+{
+  std::size_t n_facets = 0;
+  for (const MemberFillet &member : fillets)
+    n_facets += member.fillet.n_columns() * (member.fillet.end_row() - Fillet::first_row);
+  const std::size_t of_facet = n / n_facets;
+  RootStresses      middle;
+  std::size_t       at = 0;
+  for (const MemberFillet &member : fillets)
+    for (unsigned int column = 0; column < member.fillet.n_columns(); ++column)
       {
-        double traction = 0.;
-        for (const auto &[point, weight] : reading)
-          traction += growth * weight.dot(sector.points()[point]);
-        largest = largest_of(largest, std::abs(traction / pressure - 1.));
+        double tension = 0., compression = 0.;
+        for (unsigned int row = Fillet::first_row; row < member.fillet.end_row(); ++row)
+          for (std::size_t point = 0; point < of_facet / 3; ++point, at += 3)
+            {
+              const PrincipalStresses stress = compute_principal_stresses(
+                compute_surface_stress(values.segment<3>(at), member.fillet.material()));
+              raise_to(tension, stress.first);
+              compression = std::min(compression, stress.third);
+            }
+        if (2 * column + 2 < member.fillet.n_columns() || 2 * column > member.fillet.n_columns())
+          continue;
+        if (member.fillet.side() == surface_name::concave)
+          middle.tension += .5 * tension;
+        else
+          middle.compression += .5 * compression;
       }
-    check_below("traction of even growth, relative error", largest, 1e-9);
-  }
+  return middle;
+}
 
-  /** Initial strains: where the followed body expands freely, so does the submodel. */
-  void check_free_expansion(const GearBodyOptions &options, const FemOptions &elements)
-  {
-    constexpr double expansion = 1e-3;
-    Model            warm      = make_held_pinion(options);
-    warm.bodies[0].add_initial_strains(std::vector<double>(warm.bodies[0].n_elements(), expansion));
-    const FemSpace            sector  = FemSpace::sector_of(warm, 0, elements);
-    const auto                fillets = list_fillets(warm.bodies[0]);
-    std::vector<PointReading> readings;
-    for (const unsigned int row : {Fillet::first_row, fillets.front().fillet.end_row() - 1})
-      for (PointReading &reading : read_facet(sector, fillets.front().fillet.facet(1, row, 0)))
-        readings.push_back(std::move(reading));
-    const SectorSubmodel  submodel(SubmodelPart::teeth, sector, warm.bodies[0], readings);
-    const Eigen::VectorXd values =
-      submodel.load(0, {}, 0.) + submodel.follow(0, [&](const unsigned int node) -> Vector3 {
-        return expansion * warm.bodies[0].node_positions()[node];
-      });
-    double wrong = 0.;
-    for (Eigen::Index k = 0; k < values.size(); k += 3)
-      wrong =
-        largest_of(wrong, (values.segment<3>(k) - SurfaceTensor(expansion, expansion, 0.)).norm());
-    check_below("strain of free thermal expansion, relative error", wrong / expansion, 1e-9);
-  }
+/** A body that grows evenly under pressure from all sides: 3 lambda + 2 mu times the strain. */
+void check_even_growth(const FemSpace &sector, const std::vector<PointReading> &tractions)
+{
+  constexpr double growth   = 1e-3;
+  const Material  &material = sector.material(0);
+  const double     pressure = growth * (3. * material.lambda() + 2. * material.mu());
+  double           largest  = 0.;
+  for (const PointReading &reading : tractions)
+    {
+      double traction = 0.;
+      for (const auto &[point, weight] : reading)
+        traction += growth * weight.dot(sector.points()[point]);
+      raise_to(largest, std::abs(traction / pressure - 1.));
+    }
+  check_below("traction of even growth, relative error", largest, 1e-9);
+}
 
-  /** The pressure on the elements' faces as forces at points of a quadrature. */
-  void add_pressure(const FemSpace              &sector,
-                    const SectorSubmodel        &submodel,
-                    SectorSubmodel::ToothForces &forces)
-  {
-    const Body &body = sector.model().bodies[0];
-    const Load  load = press_flank(body);
-    for (const BoundaryFace &face : find_boundary_faces(body, load.nodes))
-      for (const auto &[points, X] : points_of_face(sector, sector.parts()[0], face))
-        for (const FacePoint &at : compute_face_points(X))
-          submodel.add_force(
-            surface_name::concave, 0, X * at.N, -load.pressure * at.normal, forces);
-  }
-} // namespace
+/** Initial strains: where the followed body expands freely, so does the submodel. */
+void check_free_expansion(const GearBodyOptions &options, const FemOptions &elements)
+{
+  constexpr double expansion = 1e-3;
+  Model            warm      = make_held_pinion(options);
+  warm.bodies[0].add_initial_strains(std::vector<double>(warm.bodies[0].n_elements(), expansion));
+  const FemSpace            sector  = FemSpace::sector_of(warm, 0, elements);
+  const auto                fillets = list_fillets(warm.bodies[0]);
+  std::vector<PointReading> readings;
+  for (const unsigned int row : {Fillet::first_row, fillets.front().fillet.end_row() - 1})
+    for (PointReading &reading : read_facet(sector, fillets.front().fillet.facet(1, row, 0)))
+      readings.push_back(std::move(reading));
+  const SectorSubmodel  submodel(SubmodelPart::teeth, sector, warm.bodies[0], readings);
+  const Eigen::VectorXd values =
+    submodel.load(0, {}, 0.) + submodel.follow(0, [&](const unsigned int node) -> Vector3 {
+      return expansion * warm.bodies[0].node_positions()[node];
+    });
+  double wrong = 0.;
+  for (Eigen::Index k = 0; k < values.size(); k += 3)
+    raise_to(wrong, (values.segment<3>(k) - SurfaceTensor(expansion, expansion, 0.)).norm());
+  check_below("strain of free thermal expansion, relative error", wrong / expansion, 1e-9);
+}
+
+/** The pressure on the elements' faces as forces at points of a quadrature. */
+void add_pressure(const FemSpace              &sector,
+                  const SectorSubmodel        &submodel,
+                  SectorSubmodel::ToothForces &forces)
+{
+  const Body &body = sector.model().bodies[0];
+  const Load  load = press_flank(body);
+  for (const BoundaryFace &face : find_boundary_faces(body, load.nodes))
+    for (const auto &[points, X] : points_of_face(sector, sector.parts()[0], face))
+      for (const FacePoint &at : compute_face_points(X))
+        submodel.add_force(surface_name::concave, 0, X * at.N, -load.pressure * at.normal, forces);
+}
 
 int main(int argc, char **argv)
 {
@@ -170,7 +161,7 @@ int main(int argc, char **argv)
       // As many points of each facet.
       if (stress.first > found.tension)
         left = values[strains.size() + k * tractions.size() / strains.size()];
-      found.tension     = largest_of(found.tension, stress.first);
+      raise_to(found.tension, stress.first);
       found.compression = -largest_of(-found.compression, -stress.third);
     }
 

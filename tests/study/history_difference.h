@@ -44,7 +44,7 @@ namespace histories
     double size = 0;
     for (const auto &column : history.columns())
       if (column.unit == unit)
-        size = largest_of(size, largest_size(column.numbers));
+        raise_to(size, largest_size(column.numbers));
     return size;
   }
 

@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // A gear body is written to a file by the mesh study, read as a body of a general model, and spins
 // freely: conservation of momentum, and the growth that the centrifugal force gives it.
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/process/mpi_session.h>

@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // General models give the same histories on one rank and on several: bars in contact, a turning
 // body, a clamped beam.
-#include "../../tests.h"
 #include "../history_difference.h"
 #include "../quick_pair.h"
 
@@ -11,43 +10,40 @@
 
 using namespace vfife;
 
-namespace
+void run_case(const std::string              &name,
+              const std::vector<std::string> &overrides,
+              const std::string              &folder,
+              Communicator                   &communicator)
 {
-  void run_case(const std::string              &name,
-                const std::vector<std::string> &overrides,
-                const std::string              &folder,
-                Communicator                   &communicator)
-  {
-    std::vector<std::string> all = overrides;
-    all.emplace_back("Output/verbosity=quiet"); // no progress on the screen
-    run_pair(tree_folder() + "/prm/verification/" + name + ".prm", folder, communicator, all);
-  }
+  std::vector<std::string> all = overrides;
+  all.emplace_back("Output/verbosity=quiet"); // no progress on the screen
+  run_pair(tree_folder() + "/prm/verification/" + name + ".prm", folder, communicator, all);
+}
 
-  void compare_ranks(const std::string              &name,
-                     const std::vector<std::string> &overrides,
-                     const histories::Bodies        &bodies,
-                     Communicator                   &world,
-                     const bool                      tell)
-  {
-    if (world.is_root())
-      {
-        for (const char *folder : {"_alone", "_shared"})
-          std::filesystem::remove_all(name + folder);
-        Communicator alone(MPI_COMM_SELF);
-        run_case(name, overrides, name + "_alone", alone);
-      }
-    world.barrier();
-    run_case(name, overrides, name + "_shared", world);
-    world.barrier();
-    if (world.is_root())
-      histories::check_same(name,
-                            read_result_table(name + "_shared/history.csv"),
-                            read_result_table(name + "_alone/history.csv"),
-                            bodies,
-                            {},
-                            tell);
-  }
-} // namespace
+void compare_ranks(const std::string              &name,
+                   const std::vector<std::string> &overrides,
+                   const histories::Bodies        &bodies,
+                   Communicator                   &world,
+                   const bool                      tell)
+{
+  if (world.is_root())
+    {
+      for (const char *folder : {"_alone", "_shared"})
+        std::filesystem::remove_all(name + folder);
+      Communicator alone(MPI_COMM_SELF);
+      run_case(name, overrides, name + "_alone", alone);
+    }
+  world.barrier();
+  run_case(name, overrides, name + "_shared", world);
+  world.barrier();
+  if (world.is_root())
+    histories::check_same(name,
+                          read_result_table(name + "_shared/history.csv"),
+                          read_result_table(name + "_alone/history.csv"),
+                          bodies,
+                          {},
+                          tell);
+}
 
 int main(int argc, char **argv)
 {

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Static equilibrium by relaxation, adaptive and traditional (virtual damping), against
 // conventional finite elements on the same mesh, which is read from a file. On one rank and on two.
+#include "../../model_parts.h"
 #include "../../tests.h"
 
 #include <vfife/base/process/log.h>
@@ -13,66 +14,53 @@
 
 using namespace vfife;
 
-namespace
+/** A quarter of a plate with a hole, of steel, pulled by a nominal stress of 1 MPa. */
+Model make_model()
 {
-  /** A quarter of a plate with a hole, of steel, pulled by a nominal stress of 1 MPa. */
-  Model make_model()
-  {
-    Model model;
-    model.add_body(
-      Body("plate", read_body(tree_folder() + "/meshes/plate_with_hole.msh"), Material()));
-    const Body &plate = model.bodies.front();
-    const auto  hold  = [&](const char *set, const unsigned int direction) {
-      Constraint constraint;
-      constraint.name                  = set;
-      constraint.kind                  = ConstraintKind::directions;
-      constraint.nodes                 = plate.node_set(set);
-      constraint.prescribed[direction] = true;
-      model.constraints.push_back(constraint);
-    };
-    hold("symmetry x", 0);
-    hold("symmetry y", 1);
-    hold("bottom", 2);
+  Model model =
+    model_of(Body("plate", read_body(tree_folder() + "/meshes/plate_with_hole.msh"), Material()));
+  const Body &plate = model.bodies.front();
+  model.constraints = {hold(plate.node_set("symmetry x"), {{true, false, false}}),
+                       hold(plate.node_set("symmetry y"), {{false, true, false}}),
+                       hold(plate.node_set("bottom"), {{false, false, true}})};
+  Load pull;
+  pull.name   = "pull";
+  pull.nodes  = plate.node_set("pulled");
+  pull.vector = Vector3(40. * 4., 0., 0.); // area times 1 MPa
+  pull.history.check("pull");
+  model.loads.push_back(pull);
+  return model;
+}
 
-    Load pull;
-    pull.name   = "pull";
-    pull.nodes  = plate.node_set("pulled");
-    pull.vector = Vector3(40. * 4., 0., 0.); // area times 1 MPa
-    pull.history.check("pull");
-    model.loads.push_back(pull);
-    return model;
-  }
+/** The same load shared out by areas, as nodal forces. */
+std::vector<Vector3> make_nodal_forces(const Model &model)
+{
+  const Load          &pull  = model.loads.front();
+  const auto           areas = compute_nodal_areas(model.bodies.front(), pull.nodes);
+  std::vector<Vector3> forces(model.n_nodes(), Vector3::Zero());
+  for (std::size_t i = 0; i < areas.size(); ++i)
+    forces[pull.nodes[i]] = areas[i] / (40. * 4.) * pull.vector;
+  return forces;
+}
 
-  /** The same load shared out by areas, as nodal forces. */
-  std::vector<Vector3> make_nodal_forces(const Model &model)
-  {
-    const Load          &pull  = model.loads.front();
-    const auto           areas = compute_nodal_areas(model.bodies.front(), pull.nodes);
-    std::vector<Vector3> forces(model.n_nodes(), Vector3::Zero());
-    for (std::size_t i = 0; i < areas.size(); ++i)
-      forces[pull.nodes[i]] = areas[i] / (40. * 4.) * pull.vector;
-    return forces;
-  }
-
-  /** Largest difference of the displacements over the largest one of the reference. */
-  double compare(const Model               &model,
-                 const State               &state,
-                 const std::vector<double> &reference,
-                 const Communicator        &communicator)
-  {
-    double difference = 0, largest = 0;
-    for (std::uint32_t i = 0; i < state.partition->n_local(); ++i)
-      {
-        const std::uint32_t             node = state.partition->global_node[i];
-        const Eigen::Map<const Vector3> expected(reference.data() + 3 * node);
-        difference = largest_of(
-          difference,
-          (state.node_position(i) - model.bodies.front().node_positions()[node] - expected).norm());
-        largest = largest_of(largest, expected.norm());
-      }
-    return communicator.max(difference) / communicator.max(largest);
-  }
-} // namespace
+/** Largest difference of the displacements over the largest one of the reference. */
+double compare(const Model               &model,
+               const State               &state,
+               const std::vector<double> &reference,
+               const Communicator        &communicator)
+{
+  double difference = 0, largest = 0;
+  for (std::uint32_t i = 0; i < state.partition->n_local(); ++i)
+    {
+      const std::uint32_t             node = state.partition->global_node[i];
+      const Eigen::Map<const Vector3> expected(reference.data() + 3 * node);
+      raise_to(
+        difference,
+        (state.node_position(i) - model.bodies.front().node_positions()[node] - expected).norm());
+      raise_to(largest, expected.norm());
+    }
+  return communicator.max(difference) / communicator.max(largest);
+}
 
 int main(int argc, char **argv)
 {

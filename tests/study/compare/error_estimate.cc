@@ -9,24 +9,20 @@
 
 using namespace vfife;
 
-namespace
-{
-  constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-  /** f_0 + C h^p */
-  std::vector<double> power_law(const double               limit,
-                                const double               factor,
-                                const double               order,
-                                const std::vector<double> &h)
-  {
+/** f_0 + C h^p */
+std::vector<double>
+power_law(const double limit, const double factor, const double order, const std::vector<double> &h)
+{
     std::vector<double> values;
     for (const double size : h)
       values.push_back(limit + factor * std::pow(size, order));
     return values;
-  }
+}
 
-  void known_orders()
-  {
+void known_orders()
+{
     for (const double order : {0.6, 1., 2.})
       // Halved sizes, and such as cells of a mesh have.
       for (const std::vector<double> &h : {std::vector<double>{4, 2, 1}, {1.7, 1.2, 1}})
@@ -43,18 +39,18 @@ namespace
     const ErrorEstimate four = estimate_error({900, 54, 52, 51}, {8, 4, 2, 1});
     check_close("the last three of four", four.error, 1.25, 1e-10);
     std::cout << four.describe() << std::endl;
-  }
+}
 
-  void show(const std::string         &name,
+void show(const std::string         &name,
             const std::vector<double> &values,
             const std::vector<double> &sizes = {4, 2, 1})
-  {
+{
     const ErrorEstimate e = estimate_error(values, sizes);
     std::cout << name << ": " << e.error << ", " << e.describe() << std::endl;
-  }
+}
 
-  void other_sequences()
-  {
+void other_sequences()
+{
     show("not monotone", {3, 1, 2});
     show("all equal", {5, 5, 5});
     show("the first two equal", {5, 5, 6});
@@ -71,18 +67,18 @@ namespace
     show("the finest failed", {7, 3, missing});
     show("one of four failed", {missing, 4, 2, 1}, {8, 4, 2, 1});
     show("failed without a limit", {9, missing, 2, 3}, {8, 4, 2, 1});
-  }
+}
 
-  void show_sizes(const std::string &name, const std::vector<double> &sizes)
-  {
+void show_sizes(const std::string &name, const std::vector<double> &sizes)
+{
     std::cout << name << ":";
     for (const double size : sizes)
       std::cout << " " << size;
     std::cout << (sizes.empty() ? " none" : "") << std::endl;
-  }
+}
 
-  void sizes()
-  {
+void sizes()
+{
     show_sizes("cells", derive_sizes({{"4"}, {"6"}, {"12"}}));
     show_sizes("steps", derive_sizes({{"4 us"}, {"2000 ns"}, {"1 us"}}));
     show_sizes("two entries in one ratio", derive_sizes({{"4", "2"}, {"6", "3"}, {"8", "4"}}));
@@ -96,11 +92,11 @@ namespace
     show_sizes("numbers of cells", derive_sizes_of_cells({1000, 8000, 27000}));
     show_sizes("as many cells", derive_sizes_of_cells({1000, 8000, 8000}));
     show_sizes("cells not known", derive_sizes_of_cells({1000, missing, 8000}));
-  }
+}
 
-  /** Runs 0 to 4 of one variant, 5 to 9 of another: mesh in three steps, penalty in three. */
-  std::vector<SweepVariant> make_variants()
-  {
+/** Runs 0 to 4 of one variant, 5 to 9 of another: mesh in three steps, penalty in three. */
+std::vector<SweepVariant> make_variants()
+{
     std::vector<SweepVariant> variants;
     for (const std::size_t first : {0, 5})
       variants.push_back({first == 0 ? "thin" : "thick",
@@ -108,21 +104,21 @@ namespace
                           {{"mesh", {first, first + 1, first + 4}, {4, 2, 1}},
                            {"penalty", {first + 2, first + 3, first + 4}, {4, 2, 1}}}});
     return variants;
-  }
+}
 
-  void show_verdict(const std::string &name, const std::vector<double> &values)
-  {
+void show_verdict(const std::string &name, const std::vector<double> &values)
+{
     const auto     variants = make_variants();
     const ErrorBar a        = compute_error_bar(variants[0], values),
                    b        = compute_error_bar(variants[1], values),
                    d        = compute_difference(variants[0], variants[1], values);
-    std::cout << name << ": " << a.value << " +- " << a.error << ", " << b.value << " +- "
-              << b.error << ", difference " << d.value << " +- " << d.error << ": "
+  std::cout << name << ": " << a.value << " +- " << a.error << ", " << b.value << " +- " << b.error
+            << ", difference " << d.value << " +- " << d.error << ": "
               << word_for(judge_difference(a, b, d)) << std::endl;
-  }
+}
 
-  void verdicts()
-  {
+void verdicts()
+{
     // By mesh 11, 9, 8, by penalty 9.5, 8.5, 8: of order one, errors 1 and 0.5.
     const std::vector<double> thin = {11, 9, 9.5, 8.5, 8};
     const auto                both = [&thin](const std::vector<double> &thick) {
@@ -137,10 +133,10 @@ namespace
     show_verdict("a run failed", both({31, missing, 29.5, 28.5, 28}));
     show_verdict("two runs failed", both({missing, missing, 29.5, 28.5, 28}));
     show_verdict("the variant failed", both({31, 29, 29.5, 28.5, missing}));
-  }
+}
 
-  void tables()
-  {
+void tables()
+{
     std::vector<NamedFigures> all;
     std::vector<std::string>  runs;
     for (const double value : {11., 9., 9.5, 8.5, 8., 31., missing, 29.5, 28.5, 28.})
@@ -151,8 +147,7 @@ namespace
     const ErrorTables tables = compute_error_tables(make_variants(), runs, all);
     tables.bars.write_csv(std::cout);
     tables.differences.write_csv(std::cout);
-  }
-} // namespace
+}
 
 int main()
 {

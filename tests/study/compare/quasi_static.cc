@@ -6,42 +6,37 @@
 #include <vfife/base/types.h>
 #include <vfife/study/compare/pair/quasi_static.h>
 
-#include <cmath>
-
 using namespace vfife;
 
-namespace
+/** Modes of 1000 Hz (all of the turn) and 4000 Hz (a hundredth of it). */
+Table make_modes(const std::string &axes)
 {
-  /** Modes of 1000 Hz (all of the turn) and 4000 Hz (a hundredth of it). */
-  Table make_modes(const std::string &axes)
-  {
-    Table table;
-    table.add_text_column("axes");
-    table.add_column("frequency", "Hz");
-    table.add_column("share of the static rotation", "-");
-    table.add_row({axes, 1000., 1.});
-    table.add_row({axes, 4000., .01});
-    return table;
-  }
+  Table table;
+  table.add_text_column("axes");
+  table.add_column("frequency", "Hz");
+  table.add_column("share of the static rotation", "-");
+  table.add_row({axes, 1000., 1.});
+  table.add_row({axes, 4000., .01});
+  return table;
+}
 
-  /** -80 + 3 cos(2 pi p + 1) + cos(4 pi p - 2) at n places of a mesh cycle. */
-  double estimate(const unsigned int n, const double mesh_frequency, const double least_share)
-  {
-    std::vector<double> curve;
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        const double p = static_cast<double>(i) / n;
-        curve.push_back(-80. + 3. * std::cos(2 * pi * p + 1.) + std::cos(4 * pi * p - 2.));
-      }
-    return estimate_swing(curve, mesh_frequency, TurningModes(make_modes("fixed"), least_share));
-  }
+/** -80 + 3 cos(2 pi p + 1) + cos(4 pi p - 2) at n places of a mesh cycle. */
+double estimate(const unsigned int n, const double mesh_frequency, const double least_share)
+{
+  std::vector<double> curve;
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      const double p = static_cast<double>(i) / n;
+      curve.push_back(-80. + 3. * std::cos(2 * pi * p + 1.) + std::cos(4 * pi * p - 2.));
+    }
+  return estimate_swing(curve, mesh_frequency, TurningModes(make_modes("fixed"), least_share));
+}
 
-  /** r^2/(1 - r^2) of a mode. */
-  double added(const double r)
-  {
-    return r * r / (1. - r * r);
-  }
-} // namespace
+/** r^2/(1 - r^2) of a mode. */
+double added(const double r)
+{
+  return r * r / (1. - r * r);
+}
 
 int main()
 {

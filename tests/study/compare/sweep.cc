@@ -1,153 +1,144 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // A sweep over a tiny model: combinations, a run that fails, going on, two runs at a time.
-#include "../../tests.h"
 #include "../child_program.h"
 
 #include <vfife/base/text/table.h>
 #include <vfife/output/files/table_reader.h>
 #include <vfife/study/sweep/error_estimate.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <sstream>
+namespace fs = std::filesystem;
 
-namespace
+void write_cases()
 {
-  namespace fs = std::filesystem;
+  std::ofstream("bars.prm") << "include " << tree_folder()
+                            << "/prm/verification/two_bars.prm\n"
+                               "subsection Study\n  set output folder = unused\nend\n"
+                               "subsection Model\n"
+                               "  subsection Body flying\n    set elements x = 20\n  end\n"
+                               "  subsection Body resting\n    set elements x = 20\n  end\n"
+                               "  subsection Contact faces\n    set integration = explicit\n"
+                               "  end\nend\n"
+                               "subsection Output\n  set report = no\nend\n";
+  std::ofstream("sweep.prm")
+    << "subsection Study\n  set kind = sweep\nend\n"
+       "subsection Sweep\n  set base = bars.prm\n  set report = no\n"
+       "  set entries = Output/verbosity=quiet; Output/steps per sample = 7\n"
+       "  set reference folders = modes\n"
+       "  set parameters = limit, damping\n"
+       "  set figures = way, free end\n"
+       "  subsection Figure way\n"
+       "    set column = behind displacement x\n"
+       "    set reference = 0.049\n  end\n"
+       "  subsection Figure free end\n"
+       "    set column = ahead displacment x\n  end\n"
+       "  subsection Parameter limit\n"
+       "    set entry  = Model/Contact faces/abort penetration ratio\n"
+       "    set values = 0.1, 1e-6\n  end\n"
+       "  subsection Parameter damping\n"
+       "    set entry  = Dynamics/mass proportional damping\n"
+       "    set values = 0, 100 1/s, 200 1/s\n  end\nend\n";
+}
 
-  void write_cases()
-  {
-    std::ofstream("bars.prm") << "include " << tree_folder()
-                              << "/prm/verification/two_bars.prm\n"
-                                 "subsection Study\n  set output folder = unused\nend\n"
-                                 "subsection Model\n"
-                                 "  subsection Body flying\n    set elements x = 20\n  end\n"
-                                 "  subsection Body resting\n    set elements x = 20\n  end\n"
-                                 "  subsection Contact faces\n    set integration = explicit\n"
-                                 "  end\nend\n"
-                                 "subsection Output\n  set report = no\nend\n";
-    std::ofstream("sweep.prm")
-      << "subsection Study\n  set kind = sweep\nend\n"
-         "subsection Sweep\n  set base = bars.prm\n  set report = no\n"
-         "  set entries = Output/verbosity=quiet; Output/steps per sample = 7\n"
-         "  set reference folders = modes\n"
-         "  set parameters = limit, damping\n"
-         "  set figures = way, free end\n"
-         "  subsection Figure way\n"
-         "    set column = behind displacement x\n"
-         "    set reference = 0.049\n  end\n"
-         "  subsection Figure free end\n"
-         "    set column = ahead displacment x\n  end\n"
-         "  subsection Parameter limit\n"
-         "    set entry  = Model/Contact faces/abort penetration ratio\n"
-         "    set values = 0.1, 1e-6\n  end\n"
-         "  subsection Parameter damping\n"
-         "    set entry  = Dynamics/mass proportional damping\n"
-         "    set values = 0, 100 1/s, 200 1/s\n  end\nend\n";
-  }
+/** With the cells of both bars as numerical parameter; the second variant fails. */
+void write_numerical_case()
+{
+  std::ofstream("numerical.prm")
+    << "subsection Study\n  set kind = sweep\nend\n"
+       "subsection Sweep\n  set base = bars.prm\n  set report = no\n"
+       "  set entries = Output/verbosity=quiet\n"
+       "  set parameters = cells, limit\n"
+       "  set numerical parameters = cells\n"
+       "  set figures = way\n"
+       "  subsection Figure way\n    set column = behind displacement x\n"
+       "    set reference = 0.049\n  end\n"
+       "  subsection Parameter cells\n"
+       "    set entry  = Model/Body flying/elements x; Model/Body resting/elements x\n"
+       "    set values = 10 | 10, 20 | 20, 40 | 40\n  end\n"
+       "  subsection Parameter limit\n"
+       "    set entry  = Model/Contact faces/abort penetration ratio\n"
+       "    set values = 0.1, 1e-6\n  end\nend\n";
+}
 
-  /** With the cells of both bars as numerical parameter; the second variant fails. */
-  void write_numerical_case()
-  {
-    std::ofstream("numerical.prm")
-      << "subsection Study\n  set kind = sweep\nend\n"
-         "subsection Sweep\n  set base = bars.prm\n  set report = no\n"
-         "  set entries = Output/verbosity=quiet\n"
-         "  set parameters = cells, limit\n"
-         "  set numerical parameters = cells\n"
-         "  set figures = way\n"
-         "  subsection Figure way\n    set column = behind displacement x\n"
-         "    set reference = 0.049\n  end\n"
-         "  subsection Parameter cells\n"
-         "    set entry  = Model/Body flying/elements x; Model/Body resting/elements x\n"
-         "    set values = 10 | 10, 20 | 20, 40 | 40\n  end\n"
-         "  subsection Parameter limit\n"
-         "    set entry  = Model/Contact faces/abort penetration ratio\n"
-         "    set values = 0.1, 1e-6\n  end\nend\n";
-  }
+Ending sweep(const std::string &folder, const std::vector<std::string> &more = {})
+{
+  std::vector<std::string> words = {program_file(), "sweep.prm", "-o", folder};
+  words.insert(words.end(), more.begin(), more.end());
+  return run_program(words);
+}
 
-  Ending sweep(const std::string &folder, const std::vector<std::string> &more = {})
-  {
-    std::vector<std::string> words = {program_file(), "sweep.prm", "-o", folder};
+/** Columns run to status of the table of a sweep. */
+void show_table(const std::string &folder)
+{
+  std::ifstream file(folder + "/sweep.csv");
+  for (std::string line; std::getline(file, line);)
+    {
+      std::size_t end = 0;
+      for (unsigned int column = 0; column < 4; ++column)
+        end = line.find(',', end + 1);
+      std::cout << line.substr(0, end) << std::endl;
+    }
+}
+
+void show(const std::string &name, const Ending &ending)
+{
+  std::cout << name << ": exit code " << ending.exit_code << "\n" << ending.text;
+}
+
+std::string history(const std::string &folder)
+{
+  return read_text(folder + "/history.csv");
+}
+
+void numerical()
+{
+  write_numerical_case();
+  const auto run = [](const std::vector<std::string> &more) {
+    std::vector<std::string> words = {program_file(), "numerical.prm", "-o", "numerical"};
     words.insert(words.end(), more.begin(), more.end());
     return run_program(words);
-  }
-
-  /** Columns run to status of the table of a sweep. */
-  void show_table(const std::string &folder)
-  {
-    std::ifstream file(folder + "/sweep.csv");
-    for (std::string line; std::getline(file, line);)
-      {
-        std::size_t end = 0;
-        for (unsigned int column = 0; column < 4; ++column)
-          end = line.find(',', end + 1);
-        std::cout << line.substr(0, end) << std::endl;
-      }
-  }
-
-  void show(const std::string &name, const Ending &ending)
-  {
-    std::cout << name << ": exit code " << ending.exit_code << "\n" << ending.text;
-  }
-
-  std::string history(const std::string &folder)
-  {
-    return read_text(folder + "/history.csv");
-  }
-
-  void numerical()
-  {
-    write_numerical_case();
-    const auto run = [](const std::vector<std::string> &more) {
-      std::vector<std::string> words = {program_file(), "numerical.prm", "-o", "numerical"};
-      words.insert(words.end(), more.begin(), more.end());
-      return run_program(words);
-    };
-    check("numerical: a variant fails", run({}).exit_code == 2);
-    show_table("numerical");
-    const vfife::Table table = vfife::read_result_table("numerical/sweep.csv"),
-                       bars  = vfife::read_result_table("numerical/error_bars.csv"),
-                       pairs = vfife::read_result_table("numerical/differences.csv");
-    const auto       &way    = table.numbers("way");
-    const auto       &names  = bars.column("quantity").texts;
-    const std::size_t row    = std::find(names.begin(), names.end(), "way") - names.begin();
-    const auto        text   = [&bars, row](const char *name, const std::size_t next) {
-      return bars.column(name).texts[row + next];
-    };
-    check_close("value: of the finest", bars.numbers("value")[row], way[2], 0);
-    check_close("spread or limit of three",
-                bars.numbers("error")[row],
-                vfife::estimate_error({way[0], way[1], way[2]}, {4, 2, 1}).error,
-                1e-15);
-    check_close("of one parameter alone",
-                bars.numbers("error by cells")[row],
-                bars.numbers("error")[row],
-                0);
-    check("its run", text("run", 0) == "run_03" && text("variant", 0) == "limit = 0.1");
-    check("none of failed runs", std::isnan(bars.numbers("value")[row + 1]));
-    std::cout << text("method", 1) << std::endl;
-    check("errors and orders by references are no figures, nor are steps",
-          std::count(names.begin(), names.end(), "way error") +
-              std::count(names.begin(), names.end(), "steps") ==
-            0);
-    std::cout << pairs.csv_row(0).substr(0, pairs.csv_row(0).find(",nan")) << " "
-              << pairs.column("verdict").texts[0] << std::endl;
-    check("in sweep.json", has_text(read_text("numerical/sweep.json"), "\"error bars\""));
-    show("no case", run({"--set", "Sweep/base=nowhere.prm"}));
-    show("not a parameter", run({"--set", "Sweep/numerical parameters=cell"}));
-    show("twice", run({"--set", "Sweep/numerical parameters=cells, cells"}));
-    show("one value", run({"--set", "Sweep/Parameter cells/values=10 | 10"}));
-    show("a value for one entry of two",
-         run({"--set", "Sweep/Parameter cells/values=10 | 10, 20"}));
-    show("two sizes", run({"--set", "Sweep/Parameter cells/relative element sizes=2, 1"}));
-    show("sizes that grow", run({"--set", "Sweep/Parameter cells/relative element sizes=1, 2, 4"}));
-    show("sizes of another parameter",
-         run({"--set", "Sweep/Parameter limit/relative element sizes=2, 1"}));
-    show("which runs",
-         run({"--set", "Sweep/Parameter cells/relative element sizes=3, 2, 1", "--check"}));
-  }
-} // namespace
+  };
+  check("numerical: a variant fails", run({}).exit_code == 2);
+  show_table("numerical");
+  const vfife::Table table = vfife::read_result_table("numerical/sweep.csv"),
+                     bars  = vfife::read_result_table("numerical/error_bars.csv"),
+                     pairs = vfife::read_result_table("numerical/differences.csv");
+  const auto       &way    = table.numbers("way");
+  const auto       &names  = bars.column("quantity").texts;
+  const std::size_t row    = std::find(names.begin(), names.end(), "way") - names.begin();
+  const auto        text   = [&bars, row](const char *name, const std::size_t next) {
+    return bars.column(name).texts[row + next];
+  };
+  check_close("value: of the finest", bars.numbers("value")[row], way[2], 0);
+  check_close("spread or limit of three",
+              bars.numbers("error")[row],
+              vfife::estimate_error({way[0], way[1], way[2]}, {4, 2, 1}).error,
+              1e-15);
+  check_close("of one parameter alone",
+              bars.numbers("error by cells")[row],
+              bars.numbers("error")[row],
+              0);
+  check("its run", text("run", 0) == "run_03" && text("variant", 0) == "limit = 0.1");
+  check("none of failed runs", std::isnan(bars.numbers("value")[row + 1]));
+  std::cout << text("method", 1) << std::endl;
+  check("errors and orders by references are no figures, nor are steps",
+        std::count(names.begin(), names.end(), "way error") +
+            std::count(names.begin(), names.end(), "steps") ==
+          0);
+  std::cout << pairs.csv_row(0).substr(0, pairs.csv_row(0).find(",nan")) << " "
+            << pairs.column("verdict").texts[0] << std::endl;
+  check("in sweep.json", has_text(read_text("numerical/sweep.json"), "\"error bars\""));
+  show("no case", run({"--set", "Sweep/base=nowhere.prm"}));
+  show("not a parameter", run({"--set", "Sweep/numerical parameters=cell"}));
+  show("twice", run({"--set", "Sweep/numerical parameters=cells, cells"}));
+  show("one value", run({"--set", "Sweep/Parameter cells/values=10 | 10"}));
+  show("a value for one entry of two", run({"--set", "Sweep/Parameter cells/values=10 | 10, 20"}));
+  show("two sizes", run({"--set", "Sweep/Parameter cells/relative element sizes=2, 1"}));
+  show("sizes that grow", run({"--set", "Sweep/Parameter cells/relative element sizes=1, 2, 4"}));
+  show("sizes of another parameter",
+       run({"--set", "Sweep/Parameter limit/relative element sizes=2, 1"}));
+  show("which runs",
+       run({"--set", "Sweep/Parameter cells/relative element sizes=3, 2, 1", "--check"}));
+}
 
 int main()
 {

@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Surface strains of fillets by the faces of finite elements of each degree, divided or not.
 #include "../../ranks.h"
-#include "../../tests.h"
 #include "../few_teeth.h"
 #include "../gear_model.h"
 
@@ -9,32 +8,29 @@
 
 using namespace vfife;
 
-namespace
+/** Displacements of all points: a field at their places in the fixed frame. */
+std::vector<double> displace(const FemSpace                                 &space,
+                             const std::function<Vector3(const Vector3 &x)> &field)
 {
-  /** Displacements of all points: a field at their places in the fixed frame. */
-  std::vector<double> displace(const FemSpace                                 &space,
-                               const std::function<Vector3(const Vector3 &x)> &field)
-  {
-    std::vector<double> u;
-    for (const Vector3 &x : space.points())
-      {
-        const Vector3 moved = field(x);
-        u.insert(u.end(), moved.data(), moved.data() + 3);
-      }
-    return u;
-  }
+  std::vector<double> u;
+  for (const Vector3 &x : space.points())
+    {
+      const Vector3 moved = field(x);
+      u.insert(u.end(), moved.data(), moved.data() + 3);
+    }
+  return u;
+}
 
-  /** Calls @p look for each facet of the fillets of some teeth. */
-  template <typename Look>
-  void for_facets(const RootStress &stress, const Look &look)
-  {
-    for (const MemberFillet &member : stress.fillets())
-      for (const unsigned int tooth : {0u, member.fillet.n_teeth() - 1})
-        for (unsigned int column = 0; column < member.fillet.n_columns(); ++column)
-          for (unsigned int row = Fillet::first_row; row < member.fillet.end_row(); ++row)
-            look(member, column, row, tooth);
-  }
-} // namespace
+/** Calls @p look for each facet of the fillets of some teeth. */
+template <typename Look>
+void for_facets(const RootStress &stress, const Look &look)
+{
+  for (const MemberFillet &member : stress.fillets())
+    for (const unsigned int tooth : {0u, member.fillet.n_teeth() - 1})
+      for (unsigned int column = 0; column < member.fillet.n_columns(); ++column)
+        for (unsigned int row = Fillet::first_row; row < member.fillet.end_row(); ++row)
+          look(member, column, row, tooth);
+}
 
 int main(int argc, char **argv)
 {
@@ -71,9 +67,8 @@ int main(int argc, char **argv)
         double     wrong  = 0;
         const auto strain = faces.of(grown);
         for_facets(stress, [&](const MemberFillet &member, unsigned c, unsigned r, unsigned tooth) {
-          wrong =
-            largest_of(wrong,
-                       (strain.facet(member, c, r, tooth) - SurfaceTensor(1e-3, 1e-3, 0.)).norm());
+          raise_to(wrong,
+                   (strain.facet(member, c, r, tooth) - SurfaceTensor(1e-3, 1e-3, 0.)).norm());
         });
         check_below(name + ": growth and rotation", wrong, 1e-15);
 
@@ -83,7 +78,7 @@ int main(int argc, char **argv)
         const auto        rest = warm_faces.of(grown);
         double            left = 0;
         for_facets(warm_stress, [&](const auto &member, unsigned c, unsigned r, unsigned tooth) {
-          left = largest_of(left, rest.facet(member, c, r, tooth).norm());
+          raise_to(left, rest.facet(member, c, r, tooth).norm());
         });
         check_below(name + ": free thermal expansion", left, 1e-15);
 
@@ -101,7 +96,7 @@ int main(int argc, char **argv)
           });
         double apart = 0;
         for_facets(stress, [&](const MemberFillet &member, unsigned c, unsigned r, unsigned tooth) {
-          apart = largest_of(
+          raise_to(
             apart,
             (by_faces.facet(member, c, r, tooth) - by_nodes.facet(member, c, r, tooth)).norm());
         });

@@ -1,12 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Pressures on their own grid of a coarse pair on two ranks are those of one.
 #include "../../model_sections.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/process/mpi_session.h>
-
-#include <cmath>
 
 using namespace vfife;
 
@@ -39,8 +36,8 @@ int main(int argc, char **argv)
           for (std::size_t i = 0; i < std::min(one.n_rows(), two.n_rows()); ++i)
             {
               const double here = column.numbers[i], there = two.numbers(column.name)[i];
-              worst   = largest_of(worst, std::abs(there - here));
-              largest = largest_of(largest, std::abs(here));
+              raise_to(worst, std::abs(there - here));
+              raise_to(largest, std::abs(here));
             }
           // The direct solver's sums have another order: the forces' iteration ends at 1e-8.
           check(name + ": " + column.name, worst <= 1e-6 * largest);

@@ -3,7 +3,6 @@
 // format with a reader of its own; and from a triangulation.
 #include "../../model_sections.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../cases/region_meshes.h"
 #include "../quick_pair.h"
 
@@ -15,65 +14,61 @@
 
 using namespace vfife;
 
-namespace
+using Columns = std::map<std::string, std::vector<double>>;
+
+const region_meshes::Box box = {
+  3, "column", Vector3(1, 2, 3), Vector3(6, 5, 20), {{2, 3, 4}}, 11, 12};
+
+/** The nodes of both ends by names, or by places where a format has no ids. */
+struct Ends
 {
-  using Columns = std::map<std::string, std::vector<double>>;
+  std::string bottom = "boundary 11", top = "boundary 12";
+};
 
-  const region_meshes::Box box = {
-    3, "column", Vector3(1, 2, 3), Vector3(6, 5, 20), {{2, 3, 4}}, 11, 12};
+/** Held at the bottom, pushed aside at the top. */
+Columns solve(const std::string &file, const Ends &ends, Communicator &world)
+{
+  using model_text::section;
+  return run_text(
+    "formats",
+    section("Study", "set kind = linear static\n") +
+      section("Model",
+              "set bodies = column\nset constraints = foot\nset loads = push\n"
+              "set probes = corner\n" +
+                section("Body column", "set mesh = file\nset file = " + file + "\n") +
+                section("Constraint foot", "set kind = fixed\nset nodes = " + ends.bottom + "\n") +
+                section("Load push",
+                        "set kind = force\nset force = 300, -200, 500 N\nset nodes = " + ends.top +
+                          "\n") +
+                model_text::probe("corner", "7, 7, 23 mm")) +
+      section("Fem", "set linear solver = direct\n") + quiet_output(1),
+    world);
+}
 
-  /** The nodes of both ends by names, or by places where a format has no ids. */
-  struct Ends
-  {
-    std::string bottom = "boundary 11", top = "boundary 12";
-  };
+/** A file "column.vtu" of deal.II's from which the triangulation can be read again. */
+template <int dim>
+void write_vtu_of_dealii(const dealii::Triangulation<dim> &grid)
+{
+  dealii::GridOut           out;
+  dealii::GridOutFlags::Vtu flags;
+  flags.serialize_triangulation = true;
+  out.set_flags(flags);
+  std::ofstream file("column.vtu");
+  out.write_vtu(grid, file);
+}
 
-  /** Held at the bottom, pushed aside at the top. */
-  Columns solve(const std::string &file, const Ends &ends, Communicator &world)
-  {
-    using model_text::section;
-    return run_text(
-      "formats",
-      section("Study", "set kind = linear static\n") +
-        section("Model",
-                "set bodies = column\nset constraints = foot\nset loads = push\n"
-                "set probes = corner\n" +
-                  section("Body column", "set mesh = file\nset file = " + file + "\n") +
-                  section("Constraint foot",
-                          "set kind = fixed\nset nodes = " + ends.bottom + "\n") +
-                  section("Load push",
-                          "set kind = force\nset force = 300, -200, 500 N\nset nodes = " +
-                            ends.top + "\n") +
-                  model_text::probe("corner", "7, 7, 23 mm")) +
-        section("Fem", "set linear solver = direct\n") + quiet_output(1),
-      world);
-  }
-
-  /** A file "column.vtu" of deal.II's from which the triangulation can be read again. */
-  template <int dim>
-  void write_vtu_of_dealii(const dealii::Triangulation<dim> &grid)
-  {
-    dealii::GridOut           out;
-    dealii::GridOutFlags::Vtu flags;
-    flags.serialize_triangulation = true;
-    out.set_flags(flags);
-    std::ofstream file("column.vtu");
-    out.write_vtu(grid, file);
-  }
-
-  /** The column with ids. */
-  void make_column(dealii::Triangulation<3> &grid, const std::vector<unsigned int> &cells)
-  {
-    dealii::GridGenerator::subdivided_hyper_rectangle(grid, cells, {1, 2, 3}, {7, 7, 23});
-    for (const auto &cell : grid.active_cell_iterators())
-      {
-        cell->set_material_id(3);
-        for (const unsigned int f : {4u, 5u})
-          if (cell->face(f)->at_boundary())
-            cell->face(f)->set_boundary_id(f + 7);
-      }
-  }
-} // namespace
+/** The column with ids. */
+void make_column(dealii::Triangulation<3> &grid, const std::vector<unsigned int> &cells)
+{
+  dealii::GridGenerator::subdivided_hyper_rectangle(grid, cells, {1, 2, 3}, {7, 7, 23});
+  for (const auto &cell : grid.active_cell_iterators())
+    {
+      cell->set_material_id(3);
+      for (const unsigned int f : {4u, 5u})
+        if (cell->face(f)->at_boundary())
+          cell->face(f)->set_boundary_id(f + 7);
+    }
+}
 
 int main(int argc, char **argv)
 {
@@ -91,8 +86,8 @@ int main(int argc, char **argv)
                                "foot reaction moment x"})
       {
         const double value = reference.at(column).back();
-        largest            = largest_of(largest, std::abs(value));
-        error              = largest_of(error, std::abs(found.at(column).back() / value - 1.));
+        raise_to(largest, std::abs(value));
+        raise_to(error, std::abs(found.at(column).back() / value - 1.));
       }
     check(file + ": moved", largest > 0.01);
     // Other orders of nodes and elements: round-off of the direct solver.

@@ -3,28 +3,22 @@
 // the unchanged pair finds the flank from it, and the pair that it writes has that flank.
 #include "../../read_files.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/process/mpi_session.h>
-
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 
 using namespace vfife;
 
-namespace
+double largest_distance(const Table &one, const Table &two)
 {
-  double largest_distance(const Table &one, const Table &two)
-  {
-    double most = one.n_rows() == two.n_rows() ? 0. : 1e9;
-    for (std::size_t i = 0; i < one.n_rows(); ++i)
-      for (const char *axis : {"x", "y", "z"})
-        most = largest_of(most, std::abs(one.numbers(axis)[i] - two.numbers(axis)[i]));
-    return most;
-  }
-} // namespace
+  double most = one.n_rows() == two.n_rows() ? 0. : 1e9;
+  for (std::size_t i = 0; i < one.n_rows(); ++i)
+    for (const char *axis : {"x", "y", "z"})
+      raise_to(most, std::abs(one.numbers(axis)[i] - two.numbers(axis)[i]));
+  return most;
+}
 
 int main(int argc, char **argv)
 {

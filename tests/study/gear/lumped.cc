@@ -4,99 +4,92 @@
 #include "../../lumped/pair.h"
 #include "../../read_files.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
-#include <vfife/base/errors.h>
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/lumped/speed_sweep.h>
 #include <vfife/study/gear/lumped_study.h>
-
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 
 using namespace vfife;
 
-namespace
+double number(const nlohmann::json &json, const char *part, const char *name)
 {
-  double number(const nlohmann::json &json, const char *part, const char *name)
-  {
-    return json.at(part).at(name).at("value").get<double>();
-  }
+  return json.at(part).at(name).at("value").get<double>();
+}
 
-  /** One inertia on one spring, with a sweep of three speeds up and down. */
-  void made_up_results()
-  {
-    LumpedPair pair   = linear_pair();
-    pair.law.backlash = 300 * arcsecond;
-    const LumpedModel model(pair);
-    Table             sweep    = make_resonance_response_table();
-    const double      speeds[] = {100, 200, 300, 300, 200, 100}; // [rad/s]
-    const double      swings[] = {4, 5, 20, 21, 4.5, 30};        // [arcsec]
-    for (unsigned int i = 0; i < 6; ++i)
-      {
-        LumpedResponse at_speed;
-        at_speed.pp_error   = swings[i] * arcsecond;
-        at_speed.time_apart = i == 4 ? .3 : 0;
-        add_response(i < 3 ? "up" : "down", speeds[i], model.pair().driver_teeth, at_speed, sweep);
-      }
-    const nlohmann::json json = make_lumped_json(model, made_up_response(), 100 * pi, sweep);
-    const auto close          = [&json](const char *part, const char *name, const double expected) {
-      check_close(std::string("made up: ") + name,
-                  number(json, part, name),
-                  expected,
-                  1e-12 * expected);
-    };
-    close("model", "torque on the gear", 800); // N m
-    close("model", "gear inertia", 20000);     // kg mm^2
-    close("model", "pinion inertia", 300);
-    close("model",
-          "inertia of the torsional mode, at the gear",
-          20000); // the pinion turns as prescribed
-    close("model", "mesh stiffness, mean at the torque", 2.2e6);
-    close("model", "lever arm", 90);
-    close("model", "backlash angle of the gear", 300);
-    close("response", "speed", 3000);
-    close("response", "mean dte", 11);
-    close("response", "rms dte", 12);
-    close("response", "peak to peak dte", 13);
-    close("response", "mean force", 14);
-    close("response", "rms force", 15);
-    close("response", "peak to peak force", 16);
-    close("response", "losses of contact", 18);
-    close("response", "time without contact", .19);
-    close("response", "time on coast flanks", .2);
-    close("response", "energy error", .21);
-    // The pinion's speeds at which harmonics 1, 2, 3 of 27 teeth meet the swing.
-    const double frequency = std::sqrt(2.2e9 / 20) / (2 * pi);
-    const auto  &critical =
-      json.at("modes")[0].at("critical pinion speeds of mesh orders 1, 2, 3 [rpm]");
-    for (unsigned int k = 1; k <= 3; ++k)
-      check_close("made up: critical speed [rpm]",
-                  critical[k - 1].get<double>(),
-                  60 * frequency / (27. * k),
-                  1e-8);
-    close("sweep", "largest peak to peak dte", 30);
-    close("sweep", "at the speed", 100 * 30 / pi);
-    // At 100 rad/s 4 going up, 30 going down.
-    close("sweep", "largest difference of both directions", 26);
-    close("sweep", "difference at the speed", 100 * 30 / pi);
-    const auto &lost = json.at("sweep").at("contact lost at");
-    check("made up: contact lost once",
-          lost.size() == 1 && lost[0].at("direction") == "down" &&
-            std::abs(lost[0].at("speed [rpm]").get<double>() - 200 * 30 / pi) < 1e-9);
-  }
+/** One inertia on one spring, with a sweep of three speeds up and down. */
+void made_up_results()
+{
+  LumpedPair pair   = linear_pair();
+  pair.law.backlash = 300 * arcsecond;
+  const LumpedModel model(pair);
+  Table             sweep    = make_resonance_response_table();
+  const double      speeds[] = {100, 200, 300, 300, 200, 100}; // [rad/s]
+  const double      swings[] = {4, 5, 20, 21, 4.5, 30};        // [arcsec]
+  for (unsigned int i = 0; i < 6; ++i)
+    {
+      LumpedResponse at_speed;
+      at_speed.pp_error   = swings[i] * arcsecond;
+      at_speed.time_apart = i == 4 ? .3 : 0;
+      add_response(i < 3 ? "up" : "down", speeds[i], model.pair().driver_teeth, at_speed, sweep);
+    }
+  const nlohmann::json json  = make_lumped_json(model, made_up_response(), 100 * pi, sweep);
+  const auto           close = [&json](const char *part, const char *name, const double expected) {
+    check_close(std::string("made up: ") + name,
+                number(json, part, name),
+                expected,
+                1e-12 * expected);
+  };
+  close("model", "torque on the gear", 800); // N m
+  close("model", "gear inertia", 20000);     // kg mm^2
+  close("model", "pinion inertia", 300);
+  close("model",
+        "inertia of the torsional mode, at the gear",
+        20000); // the pinion turns as prescribed
+  close("model", "mesh stiffness, mean at the torque", 2.2e6);
+  close("model", "lever arm", 90);
+  close("model", "backlash angle of the gear", 300);
+  close("response", "speed", 3000);
+  close("response", "mean dte", 11);
+  close("response", "rms dte", 12);
+  close("response", "peak to peak dte", 13);
+  close("response", "mean force", 14);
+  close("response", "rms force", 15);
+  close("response", "peak to peak force", 16);
+  close("response", "losses of contact", 18);
+  close("response", "time without contact", .19);
+  close("response", "time on coast flanks", .2);
+  close("response", "energy error", .21);
+  // The pinion's speeds at which harmonics 1, 2, 3 of 27 teeth meet the swing.
+  const double frequency = std::sqrt(2.2e9 / 20) / (2 * pi);
+  const auto  &critical =
+    json.at("modes")[0].at("critical pinion speeds of mesh orders 1, 2, 3 [rpm]");
+  for (unsigned int k = 1; k <= 3; ++k)
+    check_close("made up: critical speed [rpm]",
+                critical[k - 1].get<double>(),
+                60 * frequency / (27. * k),
+                1e-8);
+  close("sweep", "largest peak to peak dte", 30);
+  close("sweep", "at the speed", 100 * 30 / pi);
+  // At 100 rad/s 4 going up, 30 going down.
+  close("sweep", "largest difference of both directions", 26);
+  close("sweep", "difference at the speed", 100 * 30 / pi);
+  const auto &lost = json.at("sweep").at("contact lost at");
+  check("made up: contact lost once",
+        lost.size() == 1 && lost[0].at("direction") == "down" &&
+          std::abs(lost[0].at("speed [rpm]").get<double>() - 200 * 30 / pi) < 1e-9);
+}
 
-  void refuse(const std::string &lines, Communicator &world)
-  {
-    std::ofstream("wrong.prm") << "subsection Study\n set kind = lumped\nend\n"
-                               << "subsection Operation\n set speed = 20000 rpm\n"
-                               << " set torque = 800 N m\nend\nsubsection Lumped\n"
-                               << lines << "end\n";
-    print_refusal([&] { run_case("wrong.prm", "lumped_results", world); });
-  }
-} // namespace
+void refuse(const std::string &lines, Communicator &world)
+{
+  std::ofstream("wrong.prm") << "subsection Study\n set kind = lumped\nend\n"
+                             << "subsection Operation\n set speed = 20000 rpm\n"
+                             << " set torque = 800 N m\nend\nsubsection Lumped\n"
+                             << lines << "end\n";
+  print_refusal([&] { run_case("wrong.prm", "lumped_results", world); });
+}
 
 int main(int argc, char **argv)
 {

@@ -1,26 +1,21 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // The program has kernels of OpenBLAS for its processor's instruction set, or those that the user
 // asks for.
-#include "../../tests.h"
 #include "../child_program.h"
 
 #include <vfife/base/process/blas_kernels.h>
 
 #include <cstdlib>
-#include <fstream>
 
-namespace
+/** What OpenBLAS says that it has chosen as it is loaded; empty where it is not the BLAS. */
+std::string kernels_of_program()
 {
-  /** What OpenBLAS says that it has chosen as it is loaded; empty where it is not the BLAS. */
-  std::string kernels_of_program()
-  {
-    // An empty file is refused as soon as the program is loaded.
-    std::ofstream("empty.prm") << "";
-    const std::string text = run_program({"env", program_file(), "empty.prm", "--check"}).text;
-    const auto        at   = text.find("Core: ");
-    return at == std::string::npos ? "" : text.substr(at + 6, text.find('\n', at) - at - 6);
-  }
-} // namespace
+  // An empty file is refused as soon as the program is loaded.
+  std::ofstream("empty.prm") << "";
+  const std::string text = run_program({"env", program_file(), "empty.prm", "--check"}).text;
+  const auto        at   = text.find("Core: ");
+  return at == std::string::npos ? "" : text.substr(at + 6, text.find('\n', at) - at - 6);
+}
 
 int main()
 {

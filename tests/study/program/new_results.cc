@@ -2,149 +2,138 @@
 // Studies one after the other in one folder, whatever their kinds: results of the earlier one are
 // put away, and stay as they are where the input of the new one is refused, early or late.
 #include "../../model_sections.h"
-#include "../../read_files.h"
-#include "../../tests.h"
 #include "../forged_checkpoint.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/errors.h>
-#include <vfife/base/process/mpi_session.h>
 
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <filesystem>
 #include <set>
 
 using namespace vfife;
 
-namespace
+const std::string folder = "new_results_folder";
+
+const std::string model =
+  "subsection Model\n set bodies = bar\n set constraints = foot\n set loads = pull\n" +
+  model_text::block("bar", {{100, 10, 10}}, {{10, 2, 2}}) +
+  "subsection Constraint foot\n set kind = fixed\n set nodes = x-\nend\n"
+  "subsection Load pull\n set kind = force\n set nodes = x+\n set force = 1000, 0, 0 N\nend\n"
+  "end\n";
+
+/** "done", or which of the two errors has ended the study. */
+std::string run(const std::string &kind,
+                const std::string &more,
+                Communicator      &world,
+                const bool         restart = false)
 {
-  const std::string folder = "new_results_folder";
+  std::ofstream("new_results.prm") << model_text::study(kind) << model << more;
+  try
+    {
+      run_pair("new_results.prm", folder, world, {}, restart);
+    }
+  catch (const InputError &)
+    {
+      return "input error";
+    }
+  catch (const NumericalError &)
+    {
+      return "numerical error";
+    }
+  return "done";
+}
 
-  const std::string model =
-    "subsection Model\n set bodies = bar\n set constraints = foot\n set loads = pull\n" +
-    model_text::block("bar", {{100, 10, 10}}, {{10, 2, 2}}) +
-    "subsection Constraint foot\n set kind = fixed\n set nodes = x-\nend\n"
-    "subsection Load pull\n set kind = force\n set nodes = x+\n set force = 1000, 0, 0 N\nend\n"
-    "end\n";
+nlohmann::json read_summary()
+{
+  return read_json(folder + "/summary.json");
+}
 
-  /** "done", or which of the two errors has ended the study. */
-  std::string run(const std::string &kind,
-                  const std::string &more,
-                  Communicator      &world,
-                  const bool         restart = false)
-  {
-    std::ofstream("new_results.prm") << model_text::study(kind) << model << more;
-    try
-      {
-        run_pair("new_results.prm", folder, world, {}, restart);
-      }
-    catch (const InputError &)
-      {
-        return "input error";
-      }
-    catch (const NumericalError &)
-      {
-        return "numerical error";
-      }
-    return "done";
-  }
+bool has(const std::string &file)
+{
+  return std::filesystem::exists(folder + "/" + file);
+}
 
-  nlohmann::json read_summary()
-  {
-    return read_json(folder + "/summary.json");
-  }
+/** All files of the folder and of those below, with their bytes. */
+std::map<std::string, std::string> read_all()
+{
+  namespace fs = std::filesystem;
+  std::map<std::string, std::string> files;
+  for (const auto &entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file())
+      files[fs::relative(entry.path(), folder).string()] = read_text(entry.path().string());
+  return files;
+}
 
-  bool has(const std::string &file)
-  {
-    return std::filesystem::exists(folder + "/" + file);
-  }
+/** As a report leaves them: this test draws none. */
+void write_report()
+{
+  std::filesystem::create_directories(folder + "/pictures");
+  std::ofstream(folder + "/report.html") << "<html>";
+  std::ofstream(folder + "/pictures/dte.svg") << "<svg>";
+}
 
-  /** All files of the folder and of those below, with their bytes. */
-  std::map<std::string, std::string> read_all()
-  {
-    namespace fs = std::filesystem;
-    std::map<std::string, std::string> files;
-    for (const auto &entry : fs::recursive_directory_iterator(folder))
-      if (entry.is_regular_file())
-        files[fs::relative(entry.path(), folder).string()] = read_text(entry.path().string());
-    return files;
-  }
+/** What a user may keep in the folder. */
+const std::set<std::string> own_files = {"notes.txt", "measured.csv", "fields/view.pvsm"};
 
-  /** As a report leaves them: this test draws none. */
-  void write_report()
-  {
-    std::filesystem::create_directories(folder + "/pictures");
-    std::ofstream(folder + "/report.html") << "<html>";
-    std::ofstream(folder + "/pictures/dte.svg") << "<svg>";
-  }
+bool has_own_files()
+{
+  return std::all_of(own_files.begin(), own_files.end(), [](const std::string &name) {
+    return has(name) && read_text(folder + "/" + name) == name;
+  });
+}
 
-  /** What a user may keep in the folder. */
-  const std::set<std::string> own_files = {"notes.txt", "measured.csv", "fields/view.pvsm"};
+/** Whether all files but the user's, and those that are put away, are of the last study. */
+bool is_of_one_study(const std::set<std::string> &expected)
+{
+  std::set<std::string> found;
+  for (const auto &[name, bytes] : read_all())
+    if (own_files.count(name) == 0 && name.rfind("previous/", 0) != 0)
+      found.insert(name);
+  for (const std::string &name : found)
+    if (expected.count(name) == 0)
+      std::cout << "  unexpected: " << name << std::endl;
+  return found == expected;
+}
 
-  bool has_own_files()
-  {
-    return std::all_of(own_files.begin(), own_files.end(), [](const std::string &name) {
-      return has(name) && read_text(folder + "/" + name) == name;
-    });
-  }
+const std::set<std::string> static_files = {"files.txt",
+                                            "parameters.prm",
+                                            "parameters.json",
+                                            "run.log",
+                                            "summary.json",
+                                            "history.csv",
+                                            "reactions.csv",
+                                            "fields/bar.vtu"};
 
-  /** Whether all files but the user's, and those that are put away, are of the last study. */
-  bool is_of_one_study(const std::set<std::string> &expected)
-  {
-    std::set<std::string> found;
-    for (const auto &[name, bytes] : read_all())
-      if (own_files.count(name) == 0 && name.rfind("previous/", 0) != 0)
-        found.insert(name);
-    for (const std::string &name : found)
-      if (expected.count(name) == 0)
-        std::cout << "  unexpected: " << name << std::endl;
-    return found == expected;
-  }
+/** A run, then one that goes on: a report is that of the state before. */
+void go_on(Communicator &world)
+{
+  const auto dynamics = [](const std::string &entry) {
+    return "subsection Dynamics\n  set end time = 20 us\n  " + entry +
+           "\nend\nsubsection Output\n  set steps per sample = 1\nend\n";
+  };
+  check("run", run("run", dynamics("set maximum number of steps = 20"), world) == "done");
+  write_report();
+  const auto before = read_all();
+  check("it cannot go on with another damping",
+        run("run", dynamics("set mass proportional damping = 400"), world, true) == "input error");
+  check("refused: all bytes are as before", read_all() == before);
 
-  const std::set<std::string> static_files = {"files.txt",
-                                              "parameters.prm",
-                                              "parameters.json",
-                                              "run.log",
-                                              "summary.json",
-                                              "history.csv",
-                                              "reactions.csv",
-                                              "fields/bar.vtu"};
+  // A right checksum of another model: that shows when the run has opened its files.
+  const std::string checkpoint = read_text(folder + "/checkpoint.bin");
+  std::ofstream("new_results.bin", std::ios::binary) << checkpoint;
+  forge_checkpoint("new_results.bin", folder, [](std::string &state) {
+    change_part(state, "run", [](std::string &run) { run.replace(run.find("bar"), 3, "rod"); });
+  });
+  const auto forged = read_all();
+  check("refused late", run("run", dynamics(""), world, true) == "input error");
+  check("refused late: all bytes are as before", read_all() == forged);
+  std::ofstream(folder + "/checkpoint.bin", std::ios::binary) << checkpoint;
 
-  /** A run, then one that goes on: a report is that of the state before. */
-  void go_on(Communicator &world)
-  {
-    const auto dynamics = [](const std::string &entry) {
-      return "subsection Dynamics\n  set end time = 20 us\n  " + entry +
-             "\nend\nsubsection Output\n  set steps per sample = 1\nend\n";
-    };
-    check("run", run("run", dynamics("set maximum number of steps = 20"), world) == "done");
-    write_report();
-    const auto before = read_all();
-    check("it cannot go on with another damping",
-          run("run", dynamics("set mass proportional damping = 400"), world, true) ==
-            "input error");
-    check("refused: all bytes are as before", read_all() == before);
-
-    // A right checksum of another model: that shows when the run has opened its files.
-    const std::string checkpoint = read_text(folder + "/checkpoint.bin");
-    std::ofstream("new_results.bin", std::ios::binary) << checkpoint;
-    forge_checkpoint("new_results.bin", folder, [](std::string &state) {
-      change_part(state, "run", [](std::string &run) { run.replace(run.find("bar"), 3, "rod"); });
-    });
-    const auto forged = read_all();
-    check("refused late", run("run", dynamics(""), world, true) == "input error");
-    check("refused late: all bytes are as before", read_all() == forged);
-    std::ofstream(folder + "/checkpoint.bin", std::ios::binary) << checkpoint;
-
-    check("goes on", run("run", dynamics(""), world, true) == "done");
-    check("without a report of the state before", !has("report.html") && !has("pictures"));
-    check("nothing of it is put away for good",
-          !has("before_restart") &&
-            read_text(folder + "/history.csv").size() > before.at("history.csv").size());
-  }
-} // namespace
+  check("goes on", run("run", dynamics(""), world, true) == "done");
+  check("without a report of the state before", !has("report.html") && !has("pictures"));
+  check("nothing of it is put away for good",
+        !has("before_restart") &&
+          read_text(folder + "/history.csv").size() > before.at("history.csv").size());
+}
 
 int main(int argc, char **argv)
 {

@@ -2,7 +2,6 @@
 // One file for several kinds of study: sections that a kind does not read stay in it, but what is
 // misspelt in them is found. Modes at rest ask for no speed.
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/process/mpi_session.h>
@@ -11,9 +10,7 @@
 
 using namespace vfife;
 
-namespace
-{
-  const std::string all_sections = R"(
+const std::string all_sections = R"(
 subsection Model
   set bodies      = bar
   set constraints = clamp
@@ -41,39 +38,38 @@ subsection Output
 end
 )";
 
-  std::string of_kind(const std::string &kind, const std::string &text)
-  {
-    return "subsection Study\n  set kind = " + kind + "\nend\n" + text;
-  }
+std::string of_kind(const std::string &kind, const std::string &text)
+{
+  return "subsection Study\n  set kind = " + kind + "\nend\n" + text;
+}
 
-  /** What the log says of sections that are not read. */
-  std::string do_study(const std::string &text, Communicator &world, const bool check = false)
-  {
-    std::ofstream("one_file.prm") << text;
-    CommandLine line;
-    line.parameter_file = "one_file.prm";
-    line.output_folder  = "one_file";
-    line.check          = check;
-    std::ostringstream said;
-    Log                log(said, world.is_root(), Verbosity::normal);
-    run_study(line, world, log);
-    std::istringstream lines(said.str());
-    for (std::string one; std::getline(lines, one);)
-      if (has_text(one, "ignored by this kind"))
-        return one;
-    return "all sections are read";
-  }
+/** What the log says of sections that are not read. */
+std::string do_study(const std::string &text, Communicator &world, const bool check = false)
+{
+  std::ofstream("one_file.prm") << text;
+  CommandLine line;
+  line.parameter_file = "one_file.prm";
+  line.output_folder  = "one_file";
+  line.check          = check;
+  std::ostringstream said;
+  Log                log(said, world.is_root(), Verbosity::normal);
+  run_study(line, world, log);
+  std::istringstream lines(said.str());
+  for (std::string one; std::getline(lines, one);)
+    if (has_text(one, "ignored by this kind"))
+      return one;
+  return "all sections are read";
+}
 
-  void refuse(const std::string &text, Communicator &world)
-  {
-    print_refusal([&] { do_study(text, world); });
-  }
+void refuse(const std::string &text, Communicator &world)
+{
+  print_refusal([&] { do_study(text, world); });
+}
 
-  std::string replaced(std::string text, const std::string &what, const std::string &by)
-  {
-    return text.replace(text.find(what), what.size(), by);
-  }
-} // namespace
+std::string replaced(std::string text, const std::string &what, const std::string &by)
+{
+  return text.replace(text.find(what), what.size(), by);
+}
 
 int main(int argc, char **argv)
 {

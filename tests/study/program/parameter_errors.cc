@@ -2,85 +2,76 @@
 // What a user reads whose parameter file is wrong: file, line, what is wrong, and what may be
 // meant; what --check says of one that is right, and of materials that are none.
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../quick_pair.h"
 
-#include <vfife/base/errors.h>
-#include <vfife/base/process/communicator.h>
-#include <vfife/base/process/log.h>
 #include <vfife/base/process/mpi_session.h>
-
-#include <fstream>
-#include <sstream>
 
 using namespace vfife;
 
-namespace
+/** A case that can be run, with @p lines in front of its own entries. */
+std::string write_case(const std::string &lines)
 {
-  /** A case that can be run, with @p lines in front of its own entries. */
-  std::string write_case(const std::string &lines)
-  {
-    const std::string name = "case.prm";
-    std::ofstream     file(name);
-    file << "include " << tree_folder() << "/prm/paper_pair.prm\n"
-         << lines << "subsection Operation\n"
-         << "  set speed        = 20000 rpm\n"
-         << "  set torque       = 800 N m\n"
-         << "end\n";
-    return name;
-  }
+  const std::string name = "case.prm";
+  std::ofstream     file(name);
+  file << "include " << tree_folder() << "/prm/paper_pair.prm\n"
+       << lines << "subsection Operation\n"
+       << "  set speed        = 20000 rpm\n"
+       << "  set torque       = 800 N m\n"
+       << "end\n";
+  return name;
+}
 
-  void refuse(const std::string              &name,
-              Communicator                   &communicator,
-              const std::vector<std::string> &overrides = {})
-  {
-    try
-      {
-        check_case(name, communicator, overrides);
-        std::cout << "FAILED: accepted" << std::endl;
-      }
-    catch (const InputError &error)
-      {
-        const std::string message = error.what();
-        std::cout << message.substr(0, message.find(" of memory, ")) << std::endl;
-      }
-  }
-
-  /** A model of one body. */
-  std::string write_model(const std::string &body)
-  {
-    const std::string name = "model.prm";
-    std::ofstream(name) << "subsection Study\n  set kind = linear static\nend\nsubsection Model\n"
-                           "  set bodies = a\n  subsection Body a\n    "
-                        << body << "\n  end\nend\n";
-    return name;
-  }
-
-  std::string gear_body(const std::string &entry)
-  {
-    return "subsection Gear pair\n  subsection Gear\n    subsection Body\n      set body type = "
-           "conical web\n      " +
-           entry + "\n    end\n  end\nend\n";
-  }
-
-  /** Prints the lines of --check that begin with one of the words. */
-  void show(const std::string              &name,
+void refuse(const std::string              &name,
             Communicator                   &communicator,
-            const std::vector<std::string> &words,
             const std::vector<std::string> &overrides = {})
-  {
-    std::istringstream lines(check_case(name, communicator, overrides));
-    for (std::string one; std::getline(lines, one);)
-      for (const std::string &word : words)
-        if (one.compare(0, word.size(), word) == 0)
-          std::cout << one << std::endl;
-  }
+{
+  try
+    {
+      check_case(name, communicator, overrides);
+      std::cout << "FAILED: accepted" << std::endl;
+    }
+  catch (const InputError &error)
+    {
+      const std::string message = error.what();
+      std::cout << message.substr(0, message.find(" of memory, ")) << std::endl;
+    }
+}
 
-  /** One body on all that can hold and load it. */
-  std::string write_held_model()
-  {
-    const std::string name = "held.prm";
-    std::ofstream(name) << R"(
+/** A model of one body. */
+std::string write_model(const std::string &body)
+{
+  const std::string name = "model.prm";
+  std::ofstream(name) << "subsection Study\n  set kind = linear static\nend\nsubsection Model\n"
+                         "  set bodies = a\n  subsection Body a\n    "
+                      << body << "\n  end\nend\n";
+  return name;
+}
+
+std::string gear_body(const std::string &entry)
+{
+  return "subsection Gear pair\n  subsection Gear\n    subsection Body\n      set body type = "
+         "conical web\n      " +
+         entry + "\n    end\n  end\nend\n";
+}
+
+/** Prints the lines of --check that begin with one of the words. */
+void show(const std::string              &name,
+          Communicator                   &communicator,
+          const std::vector<std::string> &words,
+          const std::vector<std::string> &overrides = {})
+{
+  std::istringstream lines(check_case(name, communicator, overrides));
+  for (std::string one; std::getline(lines, one);)
+    for (const std::string &word : words)
+      if (one.compare(0, word.size(), word) == 0)
+        std::cout << one << std::endl;
+}
+
+/** One body on all that can hold and load it. */
+std::string write_held_model()
+{
+  const std::string name = "held.prm";
+  std::ofstream(name) << R"(
 subsection Study
   set kind = linear static
 end
@@ -136,80 +127,79 @@ subsection Model
   end
 end
 )";
-    return name;
-  }
+  return name;
+}
 
-  /** Formulas and lists that would be misread, or that have no value somewhere. */
-  void formulas_and_lists(Communicator &world)
-  {
-    for (const char *where :
-         {"x > 9,5", "(9,5) < x", "x = 5", "0 < x < 5", "sqrt(x-5) > 1", "1/x > 2", "log(x)"})
-      refuse(write_model(
-               "set mesh = block\n  end\n  set constraints = foot\n  subsection Constraint foot\n"
-               "    set kind = fixed\n    set nodes = all\n    set where = " +
-               std::string(where)),
-             world);
-    for (const char *speed : {"9,5*x", "sqrt(x-5)*100", "1/x"})
-      refuse(write_model("set mesh = block\n    set initial velocity y = " + std::string(speed)),
-             world);
-    for (const char *speeds : {"9,000 rpm", "1,5 Hz", "0,5", "1000, 2,5", "100,200,300", "0, 0"})
-      refuse(write_model("set mesh = block"),
-             world,
-             {"Study/kind=modal", "Fem/speeds=" + std::string(speeds)});
-  }
-
-  void files_and_sections(Communicator &world)
-  {
-    refuse(write_case(""), world, {"Gear pair/Errors/Pinion/Concave flank/topography=no.csv"});
-    refuse(write_case(""), world, {"Study/kind=flank fit", "Flank fit/measured flank=no.csv"});
-    refuse(write_case(""), world, {"Operation/torque=no.csv"});
-    refuse(write_case(""),
+/** Formulas and lists that would be misread, or that have no value somewhere. */
+void formulas_and_lists(Communicator &world)
+{
+  for (const char *where :
+       {"x > 9,5", "(9,5) < x", "x = 5", "0 < x < 5", "sqrt(x-5) > 1", "1/x > 2", "log(x)"})
+    refuse(write_model(
+             "set mesh = block\n  end\n  set constraints = foot\n  subsection Constraint foot\n"
+             "    set kind = fixed\n    set nodes = all\n    set where = " +
+             std::string(where)),
+           world);
+  for (const char *speed : {"9,5*x", "sqrt(x-5)*100", "1/x"})
+    refuse(write_model("set mesh = block\n    set initial velocity y = " + std::string(speed)),
+           world);
+  for (const char *speeds : {"9,000 rpm", "1,5 Hz", "0,5", "1000, 2,5", "100,200,300", "0, 0"})
+    refuse(write_model("set mesh = block"),
            world,
-           {"Gear pair/Housing/stiffness=no.mtx",
-            "Gear pair/Errors/Gear/Convex flank/pitch table=no.csv"});
-    refuse(write_case(""), world, {"Gear pair/Gear/web thickness=8 mm"});
-    refuse(write_case(""), world, {"Gear pair/Proposal/web thickness=8 mm"});
-    std::ofstream("none.prm")
-      << "subsection Operation\n  set speed = 9000 rpm\n  set torque = 600 N m\nend\n";
-    refuse("none.prm", world);
-    refuse("none.prm", world, {"Gear pair/mesh=coarse"});
-    refuse("none.prm", world, {"Gear pair/Proposal/module=4 mm"});
-  }
+           {"Study/kind=modal", "Fem/speeds=" + std::string(speeds)});
+}
 
-  void materials(Communicator &world)
-  {
-    // A name without a section would be the default steel.
-    refuse(write_case(""),
-           world,
-           {"Gear pair/Pinion/material=bronze",
-            "Gear pair/Gear/material=bronz",
-            "Material bronze/density=8.8 g/cm^3"});
-    refuse(write_model("set material = stel"), world);
-    // Lead, rubber, beryllium, tungsten, foam, cork, diamond; then what no solid has.
-    for (const char *solid :
-         {"11340 16000", "1100 1", "1850 303000", "19300 411000", "20 5", "200 20", "3515 1.2e6"})
-      {
-        const std::string text = solid;
-        const std::size_t gap  = text.find(' ');
-        show(write_model("set mesh = block"),
-             world,
-             {"warning"},
-             {"Material steel/density=" + text.substr(0, gap),
-              "Material steel/Young's modulus=" + text.substr(gap)});
-      }
-    for (const char *entry : {"density=7.85e-9",
-                              "density=7.85",
-                              "density=7850 g/cm^3",
-                              "Young's modulus=2.06e11",
-                              "Young's modulus=206",
-                              "Young's modulus=206000 GPa",
-                              "density=0.284"})
+void files_and_sections(Communicator &world)
+{
+  refuse(write_case(""), world, {"Gear pair/Errors/Pinion/Concave flank/topography=no.csv"});
+  refuse(write_case(""), world, {"Study/kind=flank fit", "Flank fit/measured flank=no.csv"});
+  refuse(write_case(""), world, {"Operation/torque=no.csv"});
+  refuse(write_case(""),
+         world,
+         {"Gear pair/Housing/stiffness=no.mtx",
+          "Gear pair/Errors/Gear/Convex flank/pitch table=no.csv"});
+  refuse(write_case(""), world, {"Gear pair/Gear/web thickness=8 mm"});
+  refuse(write_case(""), world, {"Gear pair/Proposal/web thickness=8 mm"});
+  std::ofstream("none.prm")
+    << "subsection Operation\n  set speed = 9000 rpm\n  set torque = 600 N m\nend\n";
+  refuse("none.prm", world);
+  refuse("none.prm", world, {"Gear pair/mesh=coarse"});
+  refuse("none.prm", world, {"Gear pair/Proposal/module=4 mm"});
+}
+
+void materials(Communicator &world)
+{
+  // A name without a section would be the default steel.
+  refuse(write_case(""),
+         world,
+         {"Gear pair/Pinion/material=bronze",
+          "Gear pair/Gear/material=bronz",
+          "Material bronze/density=8.8 g/cm^3"});
+  refuse(write_model("set material = stel"), world);
+  // Lead, rubber, beryllium, tungsten, foam, cork, diamond; then what no solid has.
+  for (const char *solid :
+       {"11340 16000", "1100 1", "1850 303000", "19300 411000", "20 5", "200 20", "3515 1.2e6"})
+    {
+      const std::string text = solid;
+      const std::size_t gap  = text.find(' ');
       show(write_model("set mesh = block"),
            world,
            {"warning"},
-           {"Material steel/" + std::string(entry)});
-  }
-} // namespace
+           {"Material steel/density=" + text.substr(0, gap),
+            "Material steel/Young's modulus=" + text.substr(gap)});
+    }
+  for (const char *entry : {"density=7.85e-9",
+                            "density=7.85",
+                            "density=7850 g/cm^3",
+                            "Young's modulus=2.06e11",
+                            "Young's modulus=206",
+                            "Young's modulus=206000 GPa",
+                            "density=0.284"})
+    show(write_model("set mesh = block"),
+         world,
+         {"warning"},
+         {"Material steel/" + std::string(entry)});
+}
 
 int main(int argc, char **argv)
 {

@@ -8,7 +8,6 @@
 #include <vfife/study/study_kinds.h>
 
 #include <fstream>
-#include <iostream>
 #include <sstream>
 
 int main()

@@ -1,88 +1,81 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Root stresses by submodels of a run, a reduced pair and a loaded analysis: the same pair in the
 // same static equilibrium, and the same motion.
-#include "../../tests.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/process/mpi_session.h>
 
-#include <algorithm>
-#include <map>
-
 using namespace vfife;
 
-namespace
+/** Rows of root_stress.csv by body, fillet and tooth: tension and compression [MPa]. */
+using Stresses = std::map<std::string, std::pair<double, double>>;
+
+/** At the first instant or position. */
+Stresses read_stresses(const std::string &folder)
 {
-  /** Rows of root_stress.csv by body, fillet and tooth: tension and compression [MPa]. */
-  using Stresses = std::map<std::string, std::pair<double, double>>;
+  const Table table = read_result_table(folder + "/root_stress.csv");
+  const auto &at    = table.columns().front().numbers;
+  Stresses    stresses;
+  for (std::size_t i = 0; i < table.n_rows() && at[i] == at.front(); ++i)
+    stresses[table.column("body").texts[i] + " " + table.column("fillet").texts[i] + " " +
+             std::to_string(std::lround(table.numbers("tooth")[i]))] = {
+      table.numbers("tension")[i], table.numbers("compression")[i]};
+  return stresses;
+}
 
-  /** At the first instant or position. */
-  Stresses read_stresses(const std::string &folder)
-  {
-    const Table table = read_result_table(folder + "/root_stress.csv");
-    const auto &at    = table.columns().front().numbers;
-    Stresses    stresses;
-    for (std::size_t i = 0; i < table.n_rows() && at[i] == at.front(); ++i)
-      stresses[table.column("body").texts[i] + " " + table.column("fillet").texts[i] + " " +
-               std::to_string(std::lround(table.numbers("tooth")[i]))] = {
-        table.numbers("tension")[i], table.numbers("compression")[i]};
-    return stresses;
-  }
+/** Of a body, or of a body and a fillet. */
+double largest_tension(const Stresses &stresses, const std::string &body)
+{
+  double found = 0.;
+  for (const auto &[tooth, stress] : stresses)
+    if (tooth.rfind(body, 0) == 0)
+      raise_to(found, stress.first);
+  return found;
+}
 
-  /** Of a body, or of a body and a fillet. */
-  double largest_tension(const Stresses &stresses, const std::string &body)
-  {
-    double found = 0.;
-    for (const auto &[tooth, stress] : stresses)
-      if (tooth.rfind(body, 0) == 0)
-        found = largest_of(found, stress.first);
-    return found;
-  }
+/** Of the largest tension of a body at each instant, over all instants [MPa]. */
+double mean_tension(const std::string &folder, const std::string &body)
+{
+  const Table              table = read_result_table(folder + "/root_stress.csv");
+  std::map<double, double> largest;
+  for (std::size_t i = 0; i < table.n_rows(); ++i)
+    if (table.column("body").texts[i] == body)
+      {
+        double &known = largest[table.columns().front().numbers[i]];
+        raise_to(known, table.numbers("tension")[i]);
+      }
+  double sum = 0.;
+  for (const auto &one : largest)
+    sum += one.second;
+  return sum / largest.size();
+}
 
-  /** Of the largest tension of a body at each instant, over all instants [MPa]. */
-  double mean_tension(const std::string &folder, const std::string &body)
-  {
-    const Table              table = read_result_table(folder + "/root_stress.csv");
-    std::map<double, double> largest;
-    for (std::size_t i = 0; i < table.n_rows(); ++i)
-      if (table.column("body").texts[i] == body)
-        {
-          double &known = largest[table.columns().front().numbers[i]];
-          known         = largest_of(known, table.numbers("tension")[i]);
-        }
-    double sum = 0.;
-    for (const auto &one : largest)
-      sum += one.second;
-    return sum / largest.size();
-  }
+/** Over the largest stress, of the teeth that both have. */
+double difference(const Stresses &a, const Stresses &b)
+{
+  double found = 0.;
+  for (const auto &[tooth, stress] : a)
+    if (const auto other = b.find(tooth); other != b.end())
+      raise_to(found,
+               std::max(std::abs(stress.first - other->second.first),
+                        std::abs(stress.second - other->second.second)));
+  return found / std::max(largest_tension(b, "pinion"), largest_tension(b, "gear"));
+}
 
-  /** Over the largest stress, of the teeth that both have. */
-  double difference(const Stresses &a, const Stresses &b)
-  {
-    double found = 0.;
-    for (const auto &[tooth, stress] : a)
-      if (const auto other = b.find(tooth); other != b.end())
-        found = largest_of(found,
-                           std::max(std::abs(stress.first - other->second.first),
-                                    std::abs(stress.second - other->second.second)));
-    return found / std::max(largest_tension(b, "pinion"), largest_tension(b, "gear"));
-  }
-
-  void do_case(const std::string       &kind,
-               const std::string       &folder,
-               const std::string       &more,
-               std::vector<std::string> entries,
-               Communicator            &world)
-  {
-    std::ofstream(folder + ".prm")
-      << quick_pair("set body type = conical web\nset hub fillet radius = 2 mm", coarse_web, "1e-6")
-      << "subsection Study\n set kind = " << kind << "\nend\n"
-      << more;
-    if (kind != "loaded tooth contact analysis")
-      entries.insert(entries.end(), {"Dynamics/start=static equilibrium"});
-    run_pair(folder + ".prm", folder, world, entries);
-  }
-} // namespace
+void do_case(const std::string       &kind,
+             const std::string       &folder,
+             const std::string       &more,
+             std::vector<std::string> entries,
+             Communicator            &world)
+{
+  std::ofstream(folder + ".prm")
+    << quick_pair("set body type = conical web\nset hub fillet radius = 2 mm", coarse_web, "1e-6")
+    << "subsection Study\n set kind = " << kind << "\nend\n"
+    << more;
+  if (kind != "loaded tooth contact analysis")
+    entries.insert(entries.end(), {"Dynamics/start=static equilibrium"});
+  run_pair(folder + ".prm", folder, world, entries);
+}
 
 int main(int argc, char **argv)
 {

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Where made-up curves over speed are above a level; how long a speed settles; what a low pass
 // leaves of known vibrations, and what passes the sectors of a body with the mesh cycle.
+#include "../../parts.h"
 #include "../../tests.h"
 
 #include <vfife/base/process/log.h>
@@ -16,23 +17,21 @@
 
 using namespace vfife;
 
-namespace
-{
-  void check_range(const std::string &what,
+void check_range(const std::string &what,
                    const SpeedRange  &range,
                    const double       from,
                    const double       to,
                    const double       largest,
                    const double       at)
-  {
+{
     check_close(what + ": from", range.from, from, 1e-12);
     check_close(what + ": to", range.to, to, 1e-12);
     check_close(what + ": largest", range.largest, largest, 0);
     check_close(what + ": at", range.at, at, 0);
-  }
+}
 
-  void ranges()
-  {
+void ranges()
+{
     const std::vector<double> speeds = {100, 200, 300, 400, 500, 600};
     const std::vector<double> curve  = {3, 1, 4, 6, 0, 5};
     const auto                found  = find_ranges_above(speeds, curve, 2);
@@ -46,19 +45,19 @@ namespace
     const auto down = find_ranges_above({300, 200, 100}, {0, 4, 0}, 2);
     check_range("falling speeds", down.at(0), 250, 150, 4, 200);
     check("nothing of nothing", find_ranges_above({}, {}, 1).empty());
-  }
+}
 
-  LumpedResponse forces(const double mean, const double largest)
-  {
+LumpedResponse forces(const double mean, const double largest)
+{
     LumpedResponse response;
     response.mean_force    = mean;
     response.largest_force = largest;
     return response;
-  }
+}
 
-  /** Each direction and place is a curve of its own. */
-  void exceedances()
-  {
+/** Each direction and place is a curve of its own. */
+void exceedances()
+{
     Table          resonance = make_resonance_response_table();
     constexpr auto rpm       = pi / 30;
     add_response("up", 1000 * rpm, 27, forces(100, 110), resonance);
@@ -87,21 +86,21 @@ namespace
                 1e-9);
     check_close("force, down: at", table.numbers("at")[1], 1000, 1e-9);
     check_close("root: to", table.numbers("to")[2], 1500, 1e-9);
-  }
+}
 
-  /** What is left of the samples that @p value says. */
-  std::vector<double>
-  pass(LowPass low_pass, const unsigned int n, const std::function<double(int)> &value)
-  {
+/** What is left of the samples that @p value says. */
+std::vector<double>
+pass(LowPass low_pass, const unsigned int n, const std::function<double(int)> &value)
+{
     std::vector<double> left;
     for (unsigned int i = 0; i < n; ++i)
       if (const auto slow = low_pass.add(Eigen::VectorXd::Constant(1, value(i))))
         left.push_back((*slow)[0]);
     return left;
-  }
+}
 
-  void low_pass()
-  {
+void low_pass()
+{
     const double  frequency = .1;
     const LowPass filter(frequency);
     check("three periods on both sides", filter.reach() == 30);
@@ -114,7 +113,7 @@ namespace
       for (std::size_t i = 0; i < left.size(); ++i)
         {
           squares += left[i] * left[i];
-          worst = largest_of(worst, std::abs(left[i] - value(i + filter.reach())));
+        raise_to(worst, std::abs(left[i] - value(i + filter.reach())));
         }
       return std::make_pair(std::sqrt(2. * squares / left.size()), worst);
     };
@@ -126,16 +125,16 @@ namespace
     const std::vector<double> line  = pass(filter, 100, [](const int i) { return 7. + 3. * i; });
     double                    worst = 0;
     for (std::size_t i = 0; i < line.size(); ++i)
-      worst = largest_of(worst, std::abs(line[i] - (7. + 3. * (i + 30.))));
+    raise_to(worst, std::abs(line[i] - (7. + 3. * (i + 30.))));
     check("samples with enough of them around", line.size() == 40);
     check_below("a straight line as it is", worst, 1e-11);
     check("all of few samples", pass(LowPass(.5), 3, [](const int i) {
                                   return double(i);
                                 }) == std::vector<double>({0, 1, 2}));
-  }
+}
 
-  void slow_mesh()
-  {
+void slow_mesh()
+{
     // Of four sectors, the pulse that passes them from one to the next in a mesh.
     const auto pulse = [](const double meshes) {
       Eigen::MatrixXd sectors(4, 1);
@@ -152,14 +151,14 @@ namespace
     double worst = 0;
     for (const double at : {-5.25, -1., 0., .5, 1., 2.375, 7.1})
       {
-        worst = largest_of(worst, (mesh.at(at) - pulse(at)).norm());
-        worst = largest_of(worst, (backwards.at(at) - pulse(-at)).norm());
+      raise_to(worst, (mesh.at(at) - pulse(at)).norm());
+      raise_to(worst, (backwards.at(at) - pulse(-at)).norm());
       }
     check_below("a pulse passes the sectors", worst, 1e-4);
-  }
+}
 
-  void responses()
-  {
+void responses()
+{
     // Of the force: mean 7, slow amplitude 2, fast 5. Of stresses: slow ones that are known, where
     // fast ones belong to them, and vibrations.
     const LowPass filter(.05);
@@ -191,10 +190,10 @@ namespace
     check_close("largest force", found.largest_force, 9., 1e-1);
     check_close("slow stresses with all they have", response.largest_stress(0), 7., 1e-1);
     check_close("vibrations without fast ones", response.largest_stress(1), 2., 1e-2);
-  }
+}
 
-  void frequencies()
-  {
+void frequencies()
+{
     PairSpeedSweepSetup setup;
     setup.cutoff  = 60e3;
     setup.samples = 25;
@@ -204,12 +203,12 @@ namespace
     check("four samples a period", setup.find_stride(500., 900) == 6);
     check("no fewer than a history", setup.find_stride(9000., 100) == 4);
     check("no more than steps", setup.find_stride(100., 50) == 1);
-  }
+}
 
-  /** A resonance with mesh order k is zeta/(k z) wide: 1000 1/s, 19 teeth, 502.6, 251.3 and 167.5
+/** A resonance with mesh order k is zeta/(k z) wide: 1000 1/s, 19 teeth, 502.6, 251.3 and 167.5
    * rpm of the orders 1 to 3. */
-  void widths()
-  {
+void widths()
+{
     constexpr double    rpm = pi / 30;
     PairSpeedSweepSetup setup;
     setup.damping             = 1000;
@@ -226,11 +225,11 @@ namespace
     setup.damping = 0;
     check("no damping, no width",
           has_text(setup.find_wide_steps(19), "without damping, which is zero"));
-  }
+}
 
-  /** Of an error of 3 cos(2 p) + 0.5 cos(8 p) + 2 cos(12 p) arcsec over the phase p of the mesh. */
-  void near_the_cutoff()
-  {
+/** Of an error of 3 cos(2 p) + 0.5 cos(8 p) + 2 cos(12 p) arcsec over the phase p of the mesh. */
+void near_the_cutoff()
+{
     std::vector<double> errors;
     for (unsigned int i = 0; i < 4 * 50; ++i)
       {
@@ -260,11 +259,11 @@ namespace
           near.second.size() == 2 && near.second[0].second.value == 12 &&
             std::abs(near.second[1].second.value - 4) < 1e-12);
     check("below it nothing is said", told(75e3).first.empty() && told(75e3).second.empty());
-  }
+}
 
-  /** What falls as exp(-500 t) is a tenth after 4.605 ms, 13.1 mesh cycles of 2850 Hz. */
-  void lengths()
-  {
+/** What falls as exp(-500 t) is a tenth after 4.605 ms, 13.1 mesh cycles of 2850 Hz. */
+void lengths()
+{
     DynamicsOptions dynamics;
     dynamics.damping      = 1000;
     dynamics.mesh_damping = 2000;
@@ -274,10 +273,10 @@ namespace
     check("the slower one counts", count_steady_meshes(2850, 3.2, dynamics) == 7 + 8);
     dynamics.damping = dynamics.mesh_damping = 0;
     check("never without damping", count_steady_meshes(2850, 3.2, dynamics) == 0);
-  }
+}
 
-  void settling()
-  {
+void settling()
+{
     PairSpeedSweepSetup setup;
     setup.reduced.settling_meshes = 5;
     setup.damping                 = 400;
@@ -286,20 +285,18 @@ namespace
     setup.options.settling_decay_times = 3.001;
     check("decay times", setup.find_settling_meshes(9000) == 136);
     check("but no less than the meshes", setup.find_settling_meshes(100) == 5);
-  }
-} // namespace
+}
 
 int main()
 {
-  settling();
-  widths();
-  near_the_cutoff();
-  lengths();
-  low_pass();
-  slow_mesh();
-  responses();
-  frequencies();
-  ranges();
-  exceedances();
-  return 0;
+  return run_parts({settling,
+                    widths,
+                    near_the_cutoff,
+                    lengths,
+                    low_pass,
+                    slow_mesh,
+                    responses,
+                    frequencies,
+                    ranges,
+                    exceedances});
 }

@@ -3,36 +3,30 @@
 // largest over a period against closed forms; what is refused.
 #include "../../parts.h"
 #include "../../refusal.h"
-#include "../../tests.h"
 #include "../gear_model.h"
 #include "../quick_pair.h"
 
 #include <vfife/base/types.h>
 #include <vfife/study/stress_waves/stress_wave_places.h>
 
-#include <cmath>
-
 using namespace vfife;
 
-namespace
+/** Two waves at once and a mean. */
+double wave(const Complex &three, const Complex &five, const unsigned int sector)
 {
-
-  /** Two waves at once and a mean. */
-  double wave(const Complex &three, const Complex &five, const unsigned int sector)
-  {
     const double angle = 2. * pi * sector / 79.;
     return 7. + (three * std::exp(3. * imaginary_unit * angle)).real() +
            (five * std::exp(5. * imaginary_unit * angle)).real();
-  }
+}
 
-  std::string text()
-  {
+std::string text()
+{
     return coarse_pair("set body type = conical web", coarse_web) +
            "subsection Operation\n  set speed = 8000 rpm\n  set torque = 800 N m\nend\n";
-  }
+}
 
-  void amplitudes(Communicator &world)
-  {
+void amplitudes(Communicator &world)
+{
     const Model   model = make_gear_model("stress_waves.prm", text(), world);
     FilletOptions options;
     options.teeth = RecordedTeeth::all;
@@ -80,16 +74,15 @@ namespace
                    std::abs(found.fillets[0][facet][c] - (1. + c) * (1. + facet / n_rows) * three));
     check_below("in a fillet", worst, 1e-11);
     n_measured = 0;
-    check_close("the other one of the two",
+  check_below("the other one of the two",
                 std::abs(places.measure(5, probes, nullptr).probes[0][0] - five),
-                0.,
                 1e-11);
     check("nothing of fillets without their strains",
           places.measure(5, nullptr, nullptr).fillets[0][0][0] == 0.);
-  }
+}
 
-  void largest(Communicator &world)
-  {
+void largest(Communicator &world)
+{
     const Model   model = make_gear_model("stress_waves.prm", text(), world);
     FilletOptions options;
     options.teeth = RecordedTeeth::all;
@@ -107,9 +100,8 @@ namespace
     const std::vector<double> most = places.find_largest(waves);
     check_close("shear, sqrt(3) of its amplitude", most[0], std::sqrt(3.) * 5., 5e-3);
     check_close("normal stresses apart in time", most[1], std::sqrt(37.5), 1e-12);
-    check_close("strain of a fillet",
+  check_ratio("strain of a fillet",
                 most[2] * (1. - nu * nu) / (material.youngs_modulus * 1e-4),
-                1.,
                 1e-12);
     check("nothing in the other one", most[3] == 0.);
     // Half a period apart and as large.
@@ -117,10 +109,10 @@ namespace
     sum.add(waves, 2. * imaginary_unit);
     sum.add(waves, -imaginary_unit);
     check_close("a sum", places.find_largest(sum)[1], std::sqrt(37.5), 1e-12);
-  }
+}
 
-  void refusals(Communicator &world)
-  {
+void refusals(Communicator &world)
+{
     std::ofstream("stress_waves_run.prm") << text() << "subsection Study\n  set kind = run\nend\n";
     for (const char *diameters : {"4, 11", "-1", "4, 4"})
       print_refusal([&]() {
@@ -135,8 +127,7 @@ namespace
                world,
                {"Output/stress wave diameters=3"});
     });
-  }
-} // namespace
+}
 
 int main(int argc, char **argv)
 {

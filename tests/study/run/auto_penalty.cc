@@ -3,48 +3,42 @@
 // analysis, the explicit run and the reduced pair approach each other as on the contact's own grid,
 // also between the positions of the calibration. The penalty 30 E*/m does not. With the penalty of
 // quadratic elements the run starts with the transmission error of these.
-#include "../../tests.h"
-#include "../quick_pair.h"
 #include "grid_errors.h"
 
 #include <vfife/base/process/mpi_session.h>
 
-
 using namespace vfife;
 
-namespace
+using Curve = std::vector<double>;
+
+/** Transmission errors [arcsec] at 3 positions of a mesh cycle, which are not multiples of an
+ * eighth but for the first one. */
+Curve analyse(const std::vector<std::string> &entries, Communicator &world)
 {
-  using Curve = std::vector<double>;
+  std::vector<std::string> overrides = {"Loaded contact/positions=3",
+                                        "Fem/element type=incompatible modes",
+                                        "Fillets/teeth=none",
+                                        "Output/report=no"};
+  overrides.insert(overrides.end(), entries.begin(), entries.end());
+  run_pair(tree_folder() + "/prm/fem/loaded_spiral_bevel_quick.prm",
+           "auto_penalty",
+           world,
+           overrides);
+  return read_columns("auto_penalty/loaded_contact.csv")["transmission error"];
+}
 
-  /** Transmission errors [arcsec] at 3 positions of a mesh cycle, which are not multiples of an
-   * eighth but for the first one. */
-  Curve analyse(const std::vector<std::string> &entries, Communicator &world)
-  {
-    std::vector<std::string> overrides = {"Loaded contact/positions=3",
-                                          "Fem/element type=incompatible modes",
-                                          "Fillets/teeth=none",
-                                          "Output/report=no"};
-    overrides.insert(overrides.end(), entries.begin(), entries.end());
-    run_pair(tree_folder() + "/prm/fem/loaded_spiral_bevel_quick.prm",
-             "auto_penalty",
-             world,
-             overrides);
-    return read_columns("auto_penalty/loaded_contact.csv")["transmission error"];
-  }
-
-  /** Of the first sample of a history, in which the pair stands as at the start [arcsec]. */
-  double start_of(const std::string              &file,
-                  const std::string              &folder,
-                  const std::vector<std::string> &entries,
-                  Communicator                   &world)
-  {
-    std::vector<std::string> overrides = {"Dynamics/maximum number of steps=1",
-                                          "Dynamics/start=static equilibrium"};
-    overrides.insert(overrides.end(), entries.begin(), entries.end());
-    run_pair(tree_folder() + "/" + file, folder, world, overrides);
-    return read_columns(folder + "/history.csv")["dte"].front();
-  }
-} // namespace
+/** Of the first sample of a history, in which the pair stands as at the start [arcsec]. */
+double start_of(const std::string              &file,
+                const std::string              &folder,
+                const std::vector<std::string> &entries,
+                Communicator                   &world)
+{
+  std::vector<std::string> overrides = {"Dynamics/maximum number of steps=1",
+                                        "Dynamics/start=static equilibrium"};
+  overrides.insert(overrides.end(), entries.begin(), entries.end());
+  run_pair(tree_folder() + "/" + file, folder, world, overrides);
+  return read_columns(folder + "/history.csv")["dte"].front();
+}
 
 int main(int argc, char **argv)
 {

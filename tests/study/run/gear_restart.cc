@@ -1,14 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // A gear pair that goes on from checkpoints: same digits in all files, no second equilibrium.
-#include "../../tests.h"
 #include "../child_program.h"
 #include "../quick_pair.h"
-
-#include <vfife/base/process/mpi_session.h>
-
-#include <nlohmann/json.hpp>
-
-#include <filesystem>
 
 using namespace vfife;
 

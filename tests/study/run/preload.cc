@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // The preloaded start by factors of the conventional stiffness is that by dynamic relaxation, and
 // is found where Newton's method goes round.
-#include "../../tests.h"
 #include "../few_teeth.h"
 
 #include <vfife/base/process/mpi_session.h>
@@ -10,30 +9,26 @@
 
 using namespace vfife;
 
-namespace
+std::map<std::string, std::vector<double>> start(const std::string &solver, Communicator &world)
 {
-  std::map<std::string, std::vector<double>> start(const std::string &solver, Communicator &world)
-  {
-    const std::string folder = "preload_" + solver;
-    if (world.is_root())
-      {
-        std::filesystem::remove_all(folder);
-        std::ofstream(folder + ".prm")
-          << few_teeth("set body type = conical web\nset web thickness = 5 mm\nset web inclination "
-                       "= 70 deg",
-                       coarse_web)
-          << "subsection Operation\n  set speed = 20000 rpm\n  set torque = 800 N m\nend\n"
-          << "subsection Dynamics\n  set maximum number of steps = 1\n  set start solver = "
-          << solver
-          << "\n  subsection Relaxation\n    set tolerance = 1e-6\n  end\nend\n"
-          // Of the first instant, not of the first step.
-          << "subsection Contact\n  set integration = explicit\nend\n";
-      }
-    world.barrier();
-    run_pair(folder + ".prm", folder, world);
-    return read_columns(folder + "/history.csv");
-  }
-} // namespace
+  const std::string folder = "preload_" + solver;
+  if (world.is_root())
+    {
+      std::filesystem::remove_all(folder);
+      std::ofstream(folder + ".prm")
+        << few_teeth("set body type = conical web\nset web thickness = 5 mm\nset web inclination "
+                     "= 70 deg",
+                     coarse_web)
+        << "subsection Operation\n  set speed = 20000 rpm\n  set torque = 800 N m\nend\n"
+        << "subsection Dynamics\n  set maximum number of steps = 1\n  set start solver = " << solver
+        << "\n  subsection Relaxation\n    set tolerance = 1e-6\n  end\nend\n"
+        // Of the first instant, not of the first step.
+        << "subsection Contact\n  set integration = explicit\nend\n";
+    }
+  world.barrier();
+  run_pair(folder + ".prm", folder, world);
+  return read_columns(folder + "/history.csv");
+}
 
 int main(int argc, char **argv)
 {
@@ -50,9 +45,8 @@ int main(int argc, char **argv)
               first(factorized, "rim dte"),
               first(relaxed, "rim dte"),
               2e-2);
-  check_close("contact force over that of the relaxation",
+  check_ratio("contact force over that of the relaxation",
               first(factorized, "contact force total") / first(relaxed, "contact force total"),
-              1.,
               1e-4);
   check_close("contact torque [N m]", first(factorized, "contact torque on the gear"), 800., 0.1);
   check("the pair is loaded", first(factorized, "dte") < -20);
