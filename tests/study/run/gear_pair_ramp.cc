@@ -21,62 +21,62 @@ using namespace vfife;
 
 double figure(const nlohmann::json &summary, const std::string &name)
 {
-    return summary.at("figures").at(name).at("value").get<double>();
+  return summary.at("figures").at(name).at("value").get<double>();
 }
 
 /** Of the driven body about its axis, in the drive direction, velocities half a step back
-   * [t mm^2/s]. */
+ * [t mm^2/s]. */
 double angular_momentum(const Model &model, const State &state)
 {
-    const unsigned int driven  = model.only_transmission()->driven;
-    const Body        &body    = model.bodies[driven];
-    double             inertia = 0;
-    for (unsigned int i = 0; i < body.n_nodes(); ++i)
-      {
-        const Vector3 r =
-          state.node_position(state.partition->local_node[body.first_node + i]) - body.axis.point;
-        inertia += body.node_masses()[i] * body.axis.direction.cross(r).squaredNorm();
-      }
-    return model.only_transmission()->driven_sense * inertia * state.measured.body_rates[driven];
+  const unsigned int driven  = model.only_transmission()->driven;
+  const Body        &body    = model.bodies[driven];
+  double             inertia = 0;
+  for (unsigned int i = 0; i < body.n_nodes(); ++i)
+    {
+      const Vector3 r =
+        state.node_position(state.partition->local_node[body.first_node + i]) - body.axis.point;
+      inertia += body.node_masses()[i] * body.axis.direction.cross(r).squaredNorm();
+    }
+  return model.only_transmission()->driven_sense * inertia * state.measured.body_rates[driven];
 }
 
 /** Over two thirds of a mesh, on the ramp and behind it, step by step: what the contact's torque
-   * is more than the load is what the gear gains of angular momentum. */
+ * is more than the load is what the gear gains of angular momentum. */
 void balance_of_momentum(Communicator &world)
 {
-    const ParameterFile      file("ramp.prm");
-    GearCase                 gear_case;
-    DynamicsOptions          dynamics;
-    dealii::ParameterHandler prm;
-    gear_case.declare(prm, file);
-    dynamics.declare(prm);
-    file.read_known(prm);
-    std::ostringstream nothing;
-    Log                log(nothing, true, Verbosity::quiet);
-    Model              model        = gear_case.make_model(log);
-    model.torques.front().ramp_time = gear_case.ramp_time();
-    SteppedSolver stepped(model, dynamics, world, log, [&](const double stable_step) {
-      return gear_case.choose_step(stable_step, 98);
-    });
-    State         state;
-    stepped.solver.start(state);
-    make_start({model, dynamics, stepped.solver, nullptr, world, log})->prepare(state);
+  const ParameterFile      file("ramp.prm");
+  GearCase                 gear_case;
+  DynamicsOptions          dynamics;
+  dealii::ParameterHandler prm;
+  gear_case.declare(prm, file);
+  dynamics.declare(prm);
+  file.read_known(prm);
+  std::ostringstream nothing;
+  Log                log(nothing, true, Verbosity::quiet);
+  Model              model        = gear_case.make_model(log);
+  model.torques.front().ramp_time = gear_case.ramp_time();
+  SteppedSolver stepped(model, dynamics, world, log, [&](const double stable_step) {
+    return gear_case.choose_step(stable_step, 98);
+  });
+  State         state;
+  stepped.solver.start(state);
+  make_start({model, dynamics, stepped.solver, nullptr, world, log})->prepare(state);
 
-    const double mesh = 1. / gear_case.mesh_frequency(), end = 2. / 3 * mesh;
-    double       impulse = 0, before = 0, first = 0, last = 0, load = 0;
-    auto         observers = watch(1, [&](const State &now) {
-      // Forces of a step change the momentum that is seen at the next.
-      impulse += before;
-      last   = angular_momentum(model, now);
-      first  = now.step == 0 ? last : first;
-      load   = 800e3 * std::min(1., now.time / (0.5 * mesh));
-      before = now.dt * (now.measured.contact_torque - load);
-    });
-    stepped.solver.run(state, end, observers);
-    // Constraints of the hub push along and across the axis only.
+  const double mesh = 1. / gear_case.mesh_frequency(), end = 2. / 3 * mesh;
+  double       impulse = 0, before = 0, first = 0, last = 0, load = 0;
+  auto         observers = watch(1, [&](const State &now) {
+    // Forces of a step change the momentum that is seen at the next.
+    impulse += before;
+    last   = angular_momentum(model, now);
+    first  = now.step == 0 ? last : first;
+    load   = 800e3 * std::min(1., now.time / (0.5 * mesh));
+    before = now.dt * (now.measured.contact_torque - load);
+  });
+  stepped.solver.run(state, end, observers);
+  // Constraints of the hub push along and across the axis only.
   check_ratio("angular momentum over the impulse", (last - first) / impulse, 1e-4);
-    check("the load slows the gear down", impulse < -0.01 * 800e3 * end);
-    check_close("all of the load [N mm]", load, 800e3, 1e-6);
+  check("the load slows the gear down", impulse < -0.01 * 800e3 * end);
+  check_close("all of the load [N mm]", load, 800e3, 1e-6);
 }
 
 int main(int argc, char **argv)

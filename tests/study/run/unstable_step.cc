@@ -22,72 +22,72 @@ constexpr std::uint64_t n_steps = 8000, sample_steps = 100;
 constexpr double        limit = 1.62e-7; ///< stable step of the block, about [s]
 
 /** A block that is stretched slowly, by 0.1 MPa in @p end_time: more
-   * would lower its frequencies by more than the step is too long. */
+ * would lower its frequencies by more than the step is too long. */
 Model make_stretched_block(const double end_time)
 {
-    std::ostringstream text;
-    text << "subsection Model\nset bodies = block\nset loads = left, right\nset probes = end\n"
-         << model_text::block("block", {{5, 2, 2}}, {{5, 2, 2}});
-    for (const std::string side : {"left", "right"})
-      text << "subsection Load " << side << "\nset nodes = " << (side == "left" ? "x-" : "x+")
-           << "\nset force = " << (side == "left" ? -0.4 : 0.4) << ", 0, 0 N\nset history = t < "
-           << end_time << " ? 0.5*(1 - cos(pi*t/" << end_time << ")) : 1\nend\n";
-    text << "subsection Probe end\nset point = 0, 0, 0 mm\nset axes = x, y, z\nend\nend\n";
-    return make_model(text.str());
+  std::ostringstream text;
+  text << "subsection Model\nset bodies = block\nset loads = left, right\nset probes = end\n"
+       << model_text::block("block", {{5, 2, 2}}, {{5, 2, 2}});
+  for (const std::string side : {"left", "right"})
+    text << "subsection Load " << side << "\nset nodes = " << (side == "left" ? "x-" : "x+")
+         << "\nset force = " << (side == "left" ? -0.4 : 0.4) << ", 0, 0 N\nset history = t < "
+         << end_time << " ? 0.5*(1 - cos(pi*t/" << end_time << ")) : 1\nend\n";
+  text << "subsection Probe end\nset point = 0, 0, 0 mm\nset axes = x, y, z\nend\nend\n";
+  return make_model(text.str());
 }
 
 struct Result
 {
-    Columns                  history;
-    std::vector<std::string> warnings;
-    unsigned int             n_substeps = 0;
+  Columns                  history;
+  std::vector<std::string> warnings;
+  unsigned int             n_substeps = 0;
 };
 
 /** Runs with steps of @p part of the largest stable one, as the exact frequency has it. */
 Result run(const std::string &name, const double part, Communicator &world)
 {
-    Model           model = make_stretched_block(500 * limit);
-    DynamicsOptions options;
-    options.damping    = 0;
-    options.step_bound = StepBound::assembly;
-    OutputFolder       folder(name, world);
-    std::ostringstream nothing;
-    Log                log(nothing, true, Verbosity::quiet);
-    OutputOptions      output;
-    output.checkpoint_every = 0;
+  Model           model = make_stretched_block(500 * limit);
+  DynamicsOptions options;
+  options.damping    = 0;
+  options.step_bound = StepBound::assembly;
+  OutputFolder       folder(name, world);
+  std::ostringstream nothing;
+  Log                log(nothing, true, Verbosity::quiet);
+  OutputOptions      output;
+  output.checkpoint_every = 0;
 
-    SteppedSolver stepped(model, options, world, log, [](const double stable) { return stable; });
-    // Lanczos' method takes all vectors of so small a model: the Ritz value is the frequency.
-    const auto frequency =
-      bound_largest_frequency(model, stepped.solver.vfife_operator(), world).ritz_value;
-    const double dt = part * 2 / std::sqrt(frequency);
-    stepped.solver.set_step(dt);
-    const auto       start    = make_start({model, options, stepped.solver, nullptr, world, log});
-    const double     end_time = n_steps * dt;
-    ExplicitStepping stepping({folder, log, model, output, {sample_steps, end_time, end_time}},
-                              stepped.solver,
-                              *start);
-    stepping.observers().add<HistoryWriter>(model, sample_steps);
-    stepping.run(
-      nullptr, [] {}, [] {});
+  SteppedSolver stepped(model, options, world, log, [](const double stable) { return stable; });
+  // Lanczos' method takes all vectors of so small a model: the Ritz value is the frequency.
+  const auto frequency =
+    bound_largest_frequency(model, stepped.solver.vfife_operator(), world).ritz_value;
+  const double dt = part * 2 / std::sqrt(frequency);
+  stepped.solver.set_step(dt);
+  const auto       start    = make_start({model, options, stepped.solver, nullptr, world, log});
+  const double     end_time = n_steps * dt;
+  ExplicitStepping stepping({folder, log, model, output, {sample_steps, end_time, end_time}},
+                            stepped.solver,
+                            *start);
+  stepping.observers().add<HistoryWriter>(model, sample_steps);
+  stepping.run(
+    nullptr, [] {}, [] {});
 
-    Result result;
-    result.history = read_columns(name + "/history.csv");
-    for (const Log::Warning &warning : log.warnings())
-      result.warnings.push_back(warning.text);
-    result.n_substeps = stepped.solver.n_substeps();
+  Result result;
+  result.history = read_columns(name + "/history.csv");
+  for (const Log::Warning &warning : log.warnings())
+    result.warnings.push_back(warning.text);
+  result.n_substeps = stepped.solver.n_substeps();
 
-    // What the checkpoint of such a run says.
-    ByteStream common, own;
-    State      last = stepping.state();
-    stepped.solver.serialize(common, &own, last);
-    SteppedSolver other(model, options, world, log, [dt](const double) { return dt; });
-    State         state;
-    other.solver.start(state);
-    ByteStream back(common.bytes());
-    other.solver.serialize(back, nullptr, state);
-    check(name + ": a checkpoint knows of them", other.solver.n_substeps() == result.n_substeps);
-    return result;
+  // What the checkpoint of such a run says.
+  ByteStream common, own;
+  State      last = stepping.state();
+  stepped.solver.serialize(common, &own, last);
+  SteppedSolver other(model, options, world, log, [dt](const double) { return dt; });
+  State         state;
+  other.solver.start(state);
+  ByteStream back(common.bytes());
+  other.solver.serialize(back, nullptr, state);
+  check(name + ": a checkpoint knows of them", other.solver.n_substeps() == result.n_substeps);
+  return result;
 }
 
 int main(int argc, char **argv)
