@@ -107,6 +107,23 @@ void grids()
                points_of(table)[7])
                 .norm(),
               1e-12);
+  // The other flank is half a tooth and more away about the axis; so is the next tooth.
+  const auto refusal_for = [&](const FlankSide side) {
+    return message_of([&] { read_measured_points("points.csv", read.gear(), side, grid); });
+  };
+  check("points of the other flank are refused",
+        has_text(refusal_for(FlankSide::concave),
+                 "points.csv: expected points of the concave flank of tooth 0, got ("));
+  std::ofstream next("next.csv");
+  next << "x [mm],y [mm],z [mm]\n";
+  const Vector3 x =
+    rotation_about(Vector3::UnitZ(), read.gear().pitch()) * Vector3(points_of(table)[7]);
+  next << x[0] << "," << x[1] << "," << x[2] << "\n";
+  next.close();
+  check("points of the next tooth are refused",
+        has_text(message_of(
+                   [&] { read_measured_points("next.csv", read.gear(), FlankSide::convex, grid); }),
+                 "mm, 4.5"));
 }
 
 /** The paper's pair with other settings of the pinion's concave flank. */

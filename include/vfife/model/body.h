@@ -77,8 +77,8 @@ namespace vfife
     /** Largest speed of sound in a bar, sqrt(E/rho) [mm/s]. */
     double sound_speed() const;
 
-    /** Strain of an element without stress, the same in all directions: thermal expansion, or the
-     * interference of a shrink fit over its radius. */
+    /** Strain of an element without stress, the same in all directions: thermal
+     * expansion. */
     double initial_strain(const unsigned int element) const
     {
       return initial_strains_.empty() ? 0. : initial_strains_[element];

@@ -118,7 +118,7 @@ namespace vfife
     unsigned int n_elements() const;
     /** Whether a body has a rate at time zero. */
     bool any_body_turns() const;
-    /** Whether a body has initial strains: a temperature or an interference. */
+    /** Whether a body has initial strains. */
     bool has_initial_strains() const;
     /** The gear pair; nullptr: there is none. For what a single pair has: throws InputError where
      * there are several. */

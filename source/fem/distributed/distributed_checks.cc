@@ -79,7 +79,7 @@ namespace vfife
     check_supports(model, bodies.front());
     if (body.has_initial_strains())
       refuse_distributed("initial strains of body " + quoted(body.name()),
-                         "Set no, or remove temperature and interference.");
+                         "Set no, or remove the temperature.");
     if (spins && body.rate != 0)
       refuse_distributed("centrifugal force on body " + quoted(body.name()),
                          "Set Linear static/centrifugal = no, or the speed of the body to 0.");

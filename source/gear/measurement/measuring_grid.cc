@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameter_grid.h>
 #include <vfife/base/parameters/parameter_table.h>
 #include <vfife/base/parameters/parameters.h>
@@ -6,7 +7,9 @@
 #include <vfife/gear/measurement/measuring_grid.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <sstream>
 
 namespace vfife
 {
@@ -36,6 +39,36 @@ namespace vfife
       for (std::size_t i = 0; i < x.size(); ++i)
         points.emplace_back(x[i], y[i], z[i]);
       return points;
+    }
+
+    /** Throws InputError for a point of another flank or tooth, which no fit could follow: one that
+     * lies more than half a tooth from the flank about the axis. */
+    void check_positions(const std::vector<Vector3> &points,
+                         const std::string          &path,
+                         const GearGeometry         &gear,
+                         const FlankSide             side)
+    {
+      for (const Vector3 &x : points)
+        {
+          const Vector2 L_h      = gear.blank().coordinates_of(x);
+          const auto    angle_to = [&](const FlankSide flank) {
+            return std::remainder(polar_angle(gear.flank_point(flank, L_h[0], L_h[1]).position) -
+                                    polar_angle(x),
+                                  2. * pi);
+          };
+          const double lower = angle_to(gear.lower_side()), upper = angle_to(gear.upper_side());
+          const double turn = std::abs(side == gear.lower_side() ? lower : upper);
+          if (turn <= .5 * std::abs(upper - lower))
+            continue;
+          std::ostringstream message;
+          message << path << ": expected points of the "
+                  << (side == FlankSide::concave ? "concave" : "convex")
+                  << " flank of tooth 0, got (" << x[0] << ", " << x[1] << ", " << x[2] << ") mm, "
+                  << turn / degree
+                  << " deg from this flank about the axis. Keep only points of one flank, and "
+                     "rotate them to tooth 0";
+          throw InputError(message.str());
+        }
     }
 
     /** The points that have these deviations from the flank as it is designed. */
@@ -118,7 +151,10 @@ namespace vfife
     // Text has any ending, its content says what it is. A format with an ending of its own is asked
     // for before.
     if (const auto positions = read_positions(path))
-      return *positions;
+      {
+        check_positions(*positions, path, gear, side);
+        return *positions;
+      }
     return read_deviations(path, gear, side, grid);
   }
 } // namespace vfife

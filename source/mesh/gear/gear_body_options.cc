@@ -240,7 +240,7 @@ namespace vfife
   {
     // In numbers that do not overflow. The tooth has rows for fillet and chamfer besides those of
     // the flank.
-    const double rows     = flank_rows + (blank.tip_chamfer > 0. ? 2. : 1.);
+    const double rows     = flank_rows + 1. + tip_rows(blank);
     const double in_teeth = cells_lengthwise * rows * cells_across;
     const double in_rim   = static_cast<double>(cells_lengthwise) * rim_rows * columns();
     double       n        = in_teeth + in_rim;

@@ -142,8 +142,8 @@ namespace vfife
       const double start = profile.back()[0], tip = blank.flank_tip(L);
       for (unsigned int i = 1; i <= n_flank; ++i)
         add(gear.flank_point(side, L, start + (tip - start) * i / n_flank).position);
-      if (blank.tip_chamfer > 0.)
-        add(point_of_side(gear, side, L, blank.addendum(L)));
+      for (unsigned int i = 1; tip_rows(blank) > 0 && i <= n_flank; ++i)
+        add(point_of_side(gear, side, L, tip + (blank.addendum(L) - tip) * i / n_flank));
       return profile;
     }
 

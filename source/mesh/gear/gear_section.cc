@@ -18,6 +18,11 @@ namespace vfife
     return {blank.coordinates_of(x)[1], near_angle + std::remainder(angle - near_angle, 2. * pi)};
   }
 
+  unsigned int tip_rows(const BlankOutline &blank)
+  {
+    return blank.tip_chamfer > 0. ? 1 : 0;
+  }
+
   Vector3
   point_of_side(const GearGeometry &gear, const FlankSide side, const double L, const double h)
   {
@@ -100,9 +105,10 @@ namespace vfife
           const Vector3 x = gear.flank_point(side, L, h).position;
           profile.emplace_back(h, section_coordinates(blank, x, near_angle)[1]);
         }
-      if (blank.tip_chamfer > 0.)
+      const unsigned int n_tip_rows = tip_rows(blank);
+      for (unsigned int row = 1; row <= n_tip_rows; ++row)
         {
-          const double  h = blank.addendum(L);
+          const double  h = tip_height + (blank.addendum(L) - tip_height) * row / n_tip_rows;
           const Vector3 x = point_of_side(gear, side, L, h);
           profile.emplace_back(h, section_coordinates(blank, x, near_angle)[1]);
         }
@@ -193,12 +199,13 @@ namespace vfife
   {
     const double        L     = section.cone_distance;
     const BlankOutline &blank = gear.blank();
-    const unsigned int  ends  = blank.tip_chamfer > 0. ? 2 : 0; // of a chamfer
-    const InwardMove    move(blank, L, depth);
-    GearSection         moved        = section;
-    const auto          move_profile = [&](const FlankSide side, std::vector<Vector2> &profile) {
+    // Points of the tip rows, with the end of the flank.
+    const unsigned int n_tip = tip_rows(blank) > 0 ? tip_rows(blank) + 1 : 0;
+    const InwardMove   move(blank, L, depth);
+    GearSection        moved        = section;
+    const auto         move_profile = [&](const FlankSide side, std::vector<Vector2> &profile) {
       const double end = gear.fillet_end(side);
-      for (unsigned int k = 0; k < profile.size() - ends; ++k)
+      for (unsigned int k = 0; k < profile.size() - n_tip; ++k)
         {
           const bool in_fillet = k < 2;
           profile[k] = move(in_fillet ? gear.fillet_point(side, L, k * fillet_corner * end)
@@ -206,14 +213,14 @@ namespace vfife
                             profile[k][1],
                             k + 1 == profile.size());
         }
-      if (ends == 0)
+      if (n_tip == 0)
         return;
       // Its size must not shrink with the depth of the layer, which may be larger.
       const SurfacePoint edge  = gear.flank_point(side, L, blank.addendum(L));
       const double       angle = profile.back()[1];
       const Vector2      shift =
         move(edge, angle, true) - section_coordinates(blank, edge.position, angle);
-      for (unsigned int k = profile.size() - ends; k < profile.size(); ++k)
+      for (unsigned int k = profile.size() - n_tip; k < profile.size(); ++k)
         profile[k] += shift;
     };
     move_profile(gear.lower_side(), moved.lower);

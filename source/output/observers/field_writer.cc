@@ -8,8 +8,8 @@
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
 #include <vfife/output/files/output_folder.h>
-#include <vfife/output/files/vtu_writer.h>
-#include <vfife/output/hdf5/hdf5_fields.h>
+#include <vfife/output/formats/hdf5_fields.h>
+#include <vfife/output/formats/vtu_writer.h>
 #include <vfife/output/measures/body_motion.h>
 #include <vfife/output/measures/node_stresses.h>
 #include <vfife/output/observers/field_writer.h>

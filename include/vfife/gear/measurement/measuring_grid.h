@@ -38,7 +38,7 @@ namespace vfife
    * Points of a measured flank, in the body frame at tooth 0 [mm], from a file. Either a table with
    * the columns "x", "y", "z" and any number of rows, or deviations [um] from @p gear's flank at
    * the points of the grid with these margins, as a topography (its own size counts). Throws
-   * InputError.
+   * InputError, also for positions on another flank or tooth.
    */
   std::vector<Vector3> read_measured_points(const std::string   &path,
                                             const GearGeometry  &gear,

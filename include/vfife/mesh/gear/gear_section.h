@@ -32,6 +32,9 @@ namespace vfife
    * edge angle from the bottom, 42 of 70 deg. */
   constexpr double default_fillet_corner = .6;
 
+  /** Rows of elements between the end of the flanks and the top land: one of a chamfer, or none. */
+  unsigned int tip_rows(const BlankOutline &blank);
+
   /** The flank of tooth 0 at (L, h), or over its end the chamfer, straight in h and polar angle
    * from there to the top land [mm]. */
   Vector3 point_of_side(const GearGeometry &gear, FlankSide side, double L, double h);

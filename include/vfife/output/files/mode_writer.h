@@ -2,7 +2,7 @@
 #ifndef vfife_output_files_mode_writer_h
 #define vfife_output_files_mode_writer_h
 
-#include <vfife/output/files/vtu_writer.h>
+#include <vfife/output/formats/vtu_writer.h>
 
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
 #define vfife_study_conventional_field_grid_h
 
 #include <vfife/fem/system/fem_space.h>
-#include <vfife/output/files/vtu_writer.h>
+#include <vfife/output/formats/vtu_writer.h>
 
 #include <vector>
 

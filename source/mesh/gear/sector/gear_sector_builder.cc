@@ -400,8 +400,8 @@ namespace vfife
       {
         const auto &profile = upper ? surface.upper : surface.lower;
         cells_.add_to_set(fillet, {{profile[0], profile[1], profile[2]}});
-        if (gear_.blank().tip_chamfer > 0.)
-          cells_.add_to_set(chamfer, {{profile[rows + 2], profile[rows + 3]}});
+        if (tip_rows(gear_.blank()) > 0)
+          cells_.add_to_set(chamfer, {{profile.begin() + rows + 2, profile.end()}});
       }
     cells_.add_flank(grid);
   }

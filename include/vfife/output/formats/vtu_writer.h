@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_output_files_vtu_writer_h
-#define vfife_output_files_vtu_writer_h
+#ifndef vfife_output_formats_vtu_writer_h
+#define vfife_output_formats_vtu_writer_h
 
 #include <vfife/base/types.h>
 #include <vfife/element/stress.h>

@@ -1,8 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_output_hdf5_hdf5_fields_h
-#define vfife_output_hdf5_hdf5_fields_h
+#ifndef vfife_output_formats_hdf5_fields_h
+#define vfife_output_formats_hdf5_fields_h
 
-#include <vfife/output/files/vtu_writer.h>
+#include <vfife/output/formats/vtu_writer.h>
 
 #include <cstddef>
 #include <iosfwd>

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/text/column_names.h>
-#include <vfife/output/files/vtu_writer.h>
+#include <vfife/output/formats/vtu_writer.h>
 
 #include <deal.II/base/utilities.h>
 

@@ -1,5 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/output/hdf5/hdf5_fields.h>
+#include <vfife/output/formats/hdf5_fields.h>
 
 #include <deal.II/base/config.h>
 
