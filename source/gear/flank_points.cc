@@ -29,7 +29,7 @@ namespace vfife
             {
               const double       h = low + (blank.flank_tip(L) - low) * j / (profile - 1);
               const SurfacePoint p = gear.flank_point(side, L, h);
-              table.add_row({side == FlankSide::concave ? "concave" : "convex",
+              table.add_row({name_of(side),
                              L,
                              h,
                              p.position[0],

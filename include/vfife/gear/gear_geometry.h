@@ -18,6 +18,12 @@ namespace vfife
     convex
   };
 
+  /** "concave", "convex". */
+  inline const char *name_of(const FlankSide side)
+  {
+    return side == FlankSide::concave ? "concave" : "convex";
+  }
+
   inline FlankSide opposite(const FlankSide side)
   {
     return side == FlankSide::concave ? FlankSide::convex : FlankSide::concave;

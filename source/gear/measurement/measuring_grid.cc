@@ -50,19 +50,13 @@ namespace vfife
     {
       for (const Vector3 &x : points)
         {
-          const Vector2 L_h      = gear.blank().coordinates_of(x);
-          const auto    angle_to = [&](const FlankSide flank) {
-            return std::remainder(polar_angle(gear.flank_point(flank, L_h[0], L_h[1]).position) -
-                                    polar_angle(x),
-                                  2. * pi);
-          };
-          const double lower = angle_to(gear.lower_side()), upper = angle_to(gear.upper_side());
-          const double turn = std::abs(side == gear.lower_side() ? lower : upper);
-          if (turn <= .5 * std::abs(upper - lower))
+          const Vector2 L_h  = gear.blank().coordinates_of(x);
+          const Vector3 foot = gear.flank_point(side, L_h[0], L_h[1]).position;
+          const double turn = std::abs(std::remainder(polar_angle(foot) - polar_angle(x), 2. * pi));
+          if (turn * std::hypot(x[0], x[1]) <= .5 * gear.tooth_thickness(L_h[0], L_h[1]))
             continue;
           std::ostringstream message;
-          message << path << ": expected points of the "
-                  << (side == FlankSide::concave ? "concave" : "convex")
+          message << path << ": expected points of the " << name_of(side)
                   << " flank of tooth 0, got (" << x[0] << ", " << x[1] << ", " << x[2] << ") mm, "
                   << turn / degree
                   << " deg from this flank about the axis. Keep only points of one flank, and "

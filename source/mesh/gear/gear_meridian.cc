@@ -142,8 +142,9 @@ namespace vfife
       const double start = profile.back()[0], tip = blank.flank_tip(L);
       for (unsigned int i = 1; i <= n_flank; ++i)
         add(gear.flank_point(side, L, start + (tip - start) * i / n_flank).position);
-      for (unsigned int i = 1; tip_rows(blank) > 0 && i <= n_flank; ++i)
-        add(point_of_side(gear, side, L, tip + (blank.addendum(L) - tip) * i / n_flank));
+      // A chamfer is straight in these coordinates: its corner is enough.
+      if (tip_rows(blank) > 0)
+        add(point_of_side(gear, side, L, blank.addendum(L)));
       return profile;
     }
 

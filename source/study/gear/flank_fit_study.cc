@@ -77,11 +77,6 @@ namespace vfife
       return most;
     }
 
-    const char *name_of(const FlankSide side)
-    {
-      return side == FlankSide::concave ? "concave" : "convex";
-    }
-
     class FlankFitStudy : public StudyKind
     {
     public:
