@@ -19,7 +19,6 @@ modal
 linear static
 loaded tooth contact analysis
 lumped
-benchmark
 sweep
 compare"
   setting=${current#[\"\']}

@@ -8,7 +8,7 @@ from job import ROOT, Job
 from mutation import BYTES, NUMBERS, UNITS, change_bytes, change_lines, change_number, misspell, pick
 
 # Meshes of hundreds of thousands of cells, which take seconds each.
-LARGE = {"prm/spiral_bevel.prm", "prm/benchmark/operator.prm", "prm/fem/loaded_spiral_bevel.prm",
+LARGE = {"prm/spiral_bevel.prm", "prm/fem/loaded_spiral_bevel.prm",
          "prm/spiral_bevel_no_web.prm", "prm/fem/loaded_spiral_bevel_no_web.prm"}
 SET = re.compile(r"^(\s*set\s+)([^=]*?)(\s*=\s*)(.*)$")
 INCLUDE = re.compile(r"^\s*include\s+(\S+)", re.M)

@@ -44,7 +44,6 @@ namespace vfife
       {"linear static", {&alone<make_linear_static_study>, "summary.json"}},
       {"loaded tooth contact analysis", {&alone<make_loaded_contact_study>, "loaded_contact.json"}},
       {"lumped", {&alone<make_lumped_study>, "lumped.json"}},
-      {"benchmark", {&alone<make_benchmark_study>, "contact_cost.json"}},
       // its tables are written anew after every run
       {"sweep", {&make_sweep_study, ""}},
       // each of its cases is looked at

@@ -42,9 +42,6 @@
 #include <vfife/output/observers/rim_writer.h>
 #include <vfife/output/observers/teeth_writer.h>
 #include <vfife/reduced/resonance/contact_meetings.h>
-#include <vfife/study/benchmark/contact_benchmark.h>
-#include <vfife/study/benchmark/operator_benchmark.h>
-#include <vfife/study/benchmark/rank_benchmark.h>
 #include <vfife/study/cases/body_figures.h>
 #include <vfife/study/cases/damping_figures.h>
 #include <vfife/study/compare/comparison.h>
@@ -181,10 +178,6 @@ std::vector<ListedTable> list_tables(const OutputFolder &folder)
       compute_measuring_grid(gears.gear(), FlankSide::convex, 0, MeasuringGrid()));
   add("flank_fit.csv", "flank fit", fit_table(SettingsFitResult()));
   add("comparison.csv", "compare", comparison_table({}));
-  add("benchmark.csv", "benchmark", make_operator_table());
-  add("contact_cost.csv", "benchmark", make_contact_cost_table());
-  add("messages.csv", "benchmark", make_message_table());
-  add("ranks.csv", "benchmark", make_rank_table());
   // A run that does not exist has the same figures as any other.
   NamedFigures figures = read_run_figures("").figures;
   for (const char *of_histories : {"FIGURE", "FIGURE error", "FIGURE order"})

@@ -31,8 +31,23 @@ inline vfife::Model make_gear_model(const std::string &path, const vfife::Commun
   return gears.make_model(log);
 }
 
-/** The same of a file that is written with this @p text: by one rank, before the others read it,
- * and read by all before anyone writes it again. */
+/** The model of the gear pair of a shipped file; sections of studies are not read. */
+inline vfife::Model make_model_of_study(const std::string &path, const vfife::Communicator &world)
+{
+  const vfife::ParameterFile file(path);
+  vfife::GearCase            gears;
+  vfife::FemOptions          fem;
+  file.read_known([&](dealii::ParameterHandler &prm) {
+    gears.declare(prm, file);
+    vfife::declare_section(prm, "Fem", fem);
+  });
+  std::ostringstream nothing;
+  vfife::Log         log(nothing, world.is_root(), vfife::Verbosity::quiet);
+  return gears.make_model(log);
+}
+
+/** The same as make_gear_model() of a file that is written with this @p text: by one rank, before
+ * the others read it, and read by all before anyone writes it again. */
 inline vfife::Model
 make_gear_model(const std::string &path, const std::string &text, const vfife::Communicator &world)
 {

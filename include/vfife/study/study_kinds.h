@@ -75,15 +75,6 @@ namespace vfife
    */
   std::unique_ptr<StudyKind> make_lumped_study();
 
-  /**
-   * Study kind `benchmark`: element-steps per second of processor time, of whole time steps
-   * (internal forces and nodal update, no contact) on the gear pair and on a mesh without two equal
-   * elements, by frame, stiffness, layout and instruction set, beside what the core can do at that
-   * moment and beside a plain implementation; then the share of the pair's contact in a step.
-   * benchmark.csv and .json, contact_cost.csv and .json.
-   */
-  std::unique_ptr<StudyKind> make_benchmark_study();
-
   /** Study kind `sweep`: see SweepStudy. */
   std::unique_ptr<StudyKind> make_sweep_study(const CaseRunner &runner);
 

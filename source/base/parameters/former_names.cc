@@ -115,7 +115,6 @@ namespace vfife
       {"Model/Body *", "speed", "rotational speed", {}},
       {"Gear pair/*/Shaft/Bearing *", "holds", "axial load direction", {}},
       {"Model/Constraint *", "holds", "axial load direction", {}},
-      {"Benchmark", "largest number of ranks", "maximum number of ranks", {}},
       {"Waves", "diameters", "nodal diameters", {}},
       {"Waves", "wave orders", "modes per diameter", {}},
       {"Waves", "driven", "simulate response", {}},

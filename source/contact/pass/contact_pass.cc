@@ -12,7 +12,7 @@
 // the fading at the master's border. The force on the slave is its slope, in the dual vectors a of
 // the facet (n.a = 0, a_xi.y_xi = 1):
 //   f = w A p n - (w A p c_xi + A E w_xi) a_xi - (the same in eta),   c_xi = n.y_xi + offset_xi.
-#include <vfife/base/process/machine_speed.h>
+#include <vfife/base/process/wall_clock.h>
 #include <vfife/contact/pass/contact_pass.h>
 #include <vfife/contact/pass/smallest_gap.h>
 

@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// Entries of a pair that files hardly ever set (material, export, spin of a loaded contact, the
-// benchmark), and the numbers that a run writes of itself, on meshes as coarse as they go.
+// Entries of a pair that files hardly ever set (material, export, spin of a loaded contact), and
+// the numbers that a run writes of itself, on meshes as coarse as they go.
 #include "../../model_sections.h"
 #include "../../parts.h"
 #include "../../read_files.h"
@@ -173,56 +173,6 @@ void spin(Communicator &world)
   check("centrifugal: spin moves the flanks", std::abs(spun[0] - without[0]) > .1);
 }
 
-void benchmark(Communicator &world)
-{
-  const auto measure = [&](const std::string &closing) {
-    run("pair_benchmark",
-        bodies() + R"(
-subsection Study
-  set kind = benchmark
-end
-subsection Benchmark
-  set repeats        = 2
-  set steps          = 1
-  set cells          = 3
-  set plain elements = 8
-  set contact steps  = 2
-  set maximum number of ranks = 16
-  set message latency         = 2 us
-  set message bandwidth       = 4
-  set closing        = )" +
-          closing + "\nend\n",
-        world);
-    std::ifstream log("pair_benchmark/run.log");
-    std::string   text, line;
-    while (std::getline(log, line))
-      text += line + "\n";
-    check("cells: elements and nodes of the general mesh",
-          has_text(text, "general mesh: 27, 64\n"));
-    const std::size_t at = text.find("contact of the pair closed by ");
-    return at == std::string::npos ? "" : text.substr(at);
-  };
-  const std::string wide = measure("40 um"), narrow = measure("20 um");
-  const auto        area = [](const std::string &text) {
-    return std::stod(text.substr(text.find(": ") + 2));
-  };
-  check("closing: is the one that was asked for",
-        has_text(wide, "closed by 40 um: ") && has_text(narrow, "closed by 20 um: "));
-  check("closing: deeper flanks touch more widely",
-        area(narrow) > 0 && area(wide) > 1.2 * area(narrow));
-  const Table table = read_result_table("pair_benchmark/contact_cost.csv");
-  check("contact steps: each part has its time", table.numbers("time").size() == 9);
-  const Table ranks   = read_result_table("pair_benchmark/ranks.csv");
-  const auto  of_last = [&](const char *column) { return ranks.numbers(column).back(); };
-  check("largest number of ranks", of_last("ranks") == 16 && ranks.n_rows() == 5);
-  check_close("message latency: four stages of a reduction [us]", of_last("reduction"), 8, 1e-9);
-  // Times of two ranks with one neighbour: no other has as much to send.
-  check_close("message latency and bandwidth: halo of two ranks [us]",
-              ranks.numbers("halo")[1],
-              2 + ranks.numbers("most sent")[1] / 4,
-              1e-9);
-}
-
 /** What summary.json says of a run, from the files beside it. */
 void figures(Communicator &world)
 {
@@ -358,5 +308,5 @@ void figures(Communicator &world)
 
 int main(int argc, char **argv)
 {
-  return run_parts(argc, argv, {meshes, region_materials, penalties, spin, benchmark, figures});
+  return run_parts(argc, argv, {meshes, region_materials, penalties, spin, figures});
 }

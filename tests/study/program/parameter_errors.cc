@@ -248,8 +248,7 @@ int main(int argc, char **argv)
     {"lumped", "Lumped/settling mesh cycles=1e9"},
     {"lumped", "Lumped/speeds=1e9"},
     {"modal", "Fem/maximum nodal diameter=1e9"},
-    {"run", "Dynamics/Relaxation/load steps=1e9"},
-    {"benchmark", "Benchmark/cells=5000"}};
+    {"run", "Dynamics/Relaxation/load steps=1e9"}};
   for (const auto &[kind, entry] : endless)
     refuse(write_case(""), world, {"Study/kind=" + kind, entry});
 

@@ -3,6 +3,7 @@
 #define vfife_base_process_wall_clock_h
 
 #include <chrono>
+#include <ctime>
 
 namespace vfife
 {
@@ -13,6 +14,15 @@ namespace vfife
   inline double seconds_since(const WallClock::time_point start)
   {
     return std::chrono::duration<double>(WallClock::now() - start).count();
+  }
+
+  /** Processor time of this thread [s]. Unlike wall time it stops while other programs have the
+   * core; their effect on caches and memory remains in it. */
+  inline double processor_time()
+  {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return time.tv_sec + 1e-9 * time.tv_nsec;
   }
 } // namespace vfife
 

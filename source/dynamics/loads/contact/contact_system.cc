@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
-#include <vfife/base/process/machine_speed.h>
+#include <vfife/base/process/wall_clock.h>
 #include <vfife/base/text/byte_stream.h>
 #include <vfife/dynamics/loads/contact/contact_of_pair.h>
 #include <vfife/dynamics/loads/contact/contact_report.h>

@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_study_benchmark_plain_elements_h
-#define vfife_study_benchmark_plain_elements_h
+#ifndef vfife_tests_benchmark_plain_elements_h
+#define vfife_tests_benchmark_plain_elements_h
 
 #include <vfife/element/frame_kind.h>
 #include <vfife/element/stiffness.h>

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plain_elements.h"
+
 #include <vfife/element/frame.h>
-#include <vfife/study/benchmark/plain_elements.h>
 
 #include <Eigen/LU>
 

@@ -1,8 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include "operator_cost.h"
+#include "machine_ceilings.h"
+
+#include <vfife/base/process/wall_clock.h>
 #include <vfife/base/sample_measures.h>
 #include <vfife/dynamics/motion/nodal_update.h>
 #include <vfife/element/frame.h>
-#include <vfife/study/benchmark/operator_benchmark.h>
 
 namespace vfife
 {
@@ -48,22 +51,6 @@ namespace vfife
       samples.gain.push_back(plain / step);
     }
   } // namespace
-
-  Table make_operator_table()
-  {
-    Table table;
-    for (const char *name : {"mesh", "layout", "stiffness", "frame", "instruction set"})
-      table.add_text_column(name);
-    table.add_column("element-steps", "1e6/s");
-    table.add_column("internal forces", "ns");
-    table.add_column("nodal update", "ns");
-    table.add_column("multiply-adds of the core", "GFLOP/s");
-    table.add_column("share of multiply-adds", "%");
-    table.add_column("triad of the core", "GB/s");
-    table.add_column("share of bandwidth", "%");
-    table.add_column("gain over plain", "-");
-    return table;
-  }
 
   double flops_of(const FrameKind frame)
   {
@@ -206,7 +193,17 @@ namespace vfife
                         samples[c][f][set]);
           }
 
-    Table table = make_operator_table();
+    Table table;
+    for (const char *name : {"mesh", "layout", "stiffness", "frame", "instruction set"})
+      table.add_text_column(name);
+    table.add_column("element-steps", "1e6/s");
+    table.add_column("internal forces", "ns");
+    table.add_column("nodal update", "ns");
+    table.add_column("multiply-adds of the core", "GFLOP/s");
+    table.add_column("share of multiply-adds", "%");
+    table.add_column("triad of the core", "GB/s");
+    table.add_column("share of bandwidth", "%");
+    table.add_column("gain over plain", "-");
     for (std::size_t c = 0; c < cases.size(); ++c)
       for (unsigned int f = 0; f < n_frame_kinds; ++f)
         for (unsigned int set = 0; set < sets.size(); ++set)

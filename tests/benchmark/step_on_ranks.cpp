@@ -1,13 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/parameters/parameters.h>
+#include "step_on_ranks.h"
+
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/wall_clock.h>
 #include <vfife/dynamics/loads/contact/contact_dealing.h>
 #include <vfife/dynamics/loads/contact/contact_ranks.h>
 #include <vfife/dynamics/operator/rank_shares.h>
-#include <vfife/study/benchmark/rank_benchmark.h>
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +15,10 @@ namespace vfife
 {
   namespace
   {
-    constexpr int there_tag = 20, back_tag = 21;
+    constexpr int          there_tag = 20, back_tag = 21;
+    constexpr unsigned int largest_number = 1024;   ///< of ranks for which a step is estimated
+    constexpr double       latency        = 1.5e-6; ///< assumed of a message [s]
+    constexpr double       bandwidth      = 10;     ///< assumed of a rank [GB/s]
 
     /** Tooth pairs that share the load: clusters of like work. */
     const std::vector<double> pairs_in_mesh(2, .5);
@@ -48,37 +49,9 @@ namespace vfife
     }
   } // namespace
 
-  void RankBenchmarkOptions::declare(dealii::ParameterHandler &prm)
-  {
-    const Subsection section(prm, "Benchmark");
-    declare_integer(prm,
-                    "maximum number of ranks",
-                    largest_number,
-                    "Largest number of ranks, by powers of two, for which the time of a step is "
-                    "estimated",
-                    1,
-                    65536);
-    declare_quantity(prm,
-                     "message latency",
-                     latency,
-                     "us",
-                     "Assumed latency of a short message between two ranks",
-                     Range::positive());
-    declare_number(prm,
-                   "message bandwidth",
-                   bandwidth,
-                   "Assumed bandwidth of a rank, in GB/s",
-                   Range::positive());
-  }
-
-  Table make_message_table()
-  {
-    return {{"length", "B"}, {"time", "us"}, {"bandwidth", "GB/s"}};
-  }
-
   Table measure_messages(const Communicator &communicator)
   {
-    Table table = make_message_table();
+    Table table{{"length", "B"}, {"time", "us"}, {"bandwidth", "GB/s"}};
     if (communicator.size() > 1)
       for (std::size_t n_bytes = 8; n_bytes <= (std::size_t(1) << 20); n_bytes *= 8)
         {
@@ -89,26 +62,21 @@ namespace vfife
     return table;
   }
 
-  Table make_rank_table()
+  Table estimate_steps(const Model &model, const CoreTimes &core)
   {
-    return {{"ranks", "-"},
-            {"most elements", "-"},
-            {"of them in pieces", "-"},
-            {"most neighbours", "-"},
-            {"most sent", "kB"},
-            {"elements and nodes", "us"},
-            {"halo", "us"},
-            {"contact", "us"},
-            {"reduction", "us"},
-            {"step", "us"},
-            {"speed-up", "-"}};
-  }
-
-  Table reckon_ranks(const Model &model, const RankBenchmarkOptions &options, const CoreTimes &core)
-  {
-    Table  table = make_rank_table();
-    double one   = 0;
-    for (unsigned int n = 1; n <= options.largest_number; n *= 2)
+    Table  table{{"ranks", "-"},
+                {"most elements", "-"},
+                {"of them in pieces", "-"},
+                {"most neighbours", "-"},
+                {"most sent", "kB"},
+                {"elements and nodes", "us"},
+                {"halo", "us"},
+                {"contact", "us"},
+                {"reduction", "us"},
+                {"step", "us"},
+                {"speed-up", "-"}};
+    double one = 0;
+    for (unsigned int n = 1; n <= largest_number; n *= 2)
       {
         std::uint64_t elements = 0, pieces = 0, neighbours = 0, bytes = 0;
         double        computing = 0, halo = 0;
@@ -123,17 +91,15 @@ namespace vfife
               std::max(computing,
                        n == 1 ? core.shared * share.n_elements()
                               : core.shared * share.in_sectors + core.own * share.in_pieces);
-            halo = std::max(halo,
-                            options.latency * share.n_neighbours +
-                              1e-9 * share.bytes() / options.bandwidth);
+            halo = std::max(halo, latency * share.n_neighbours + 1e-9 * share.bytes() / bandwidth);
           }
         // Motion to every other rank that works on the contact, and forces back; points among those
         // that share them.
         const unsigned int workers = std::min(n, ContactRanks::least_number);
         const double load = find_largest_load(deal_clusters(pairs_in_mesh, workers), pairs_in_mesh);
         const double contact =
-          core.contact_all + core.contact_shared * load + 3 * (workers - 1) * options.latency;
-        const double reduction = std::ceil(std::log2(n)) * options.latency;
+          core.contact_all + core.contact_shared * load + 3 * (workers - 1) * latency;
+        const double reduction = std::ceil(std::log2(n)) * latency;
         const double step      = computing + halo + contact + reduction;
         if (n == 1)
           one = step;

@@ -1,12 +1,13 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include "contact_cost.h"
+
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
-#include <vfife/base/process/machine_speed.h>
 #include <vfife/base/process/timers.h>
+#include <vfife/base/process/wall_clock.h>
 #include <vfife/base/sample_measures.h>
 #include <vfife/contact/pass/contact_pass.h>
 #include <vfife/dynamics/loop/explicit_solver.h>
-#include <vfife/study/benchmark/contact_benchmark.h>
 
 #include <array>
 
@@ -14,6 +15,9 @@ namespace vfife
 {
   namespace
   {
+    constexpr double       closing = 0.012; ///< of the flanks at the mean contact [mm]
+    constexpr unsigned int n_steps = 200;   ///< of one measurement
+
     /** Times of a step [s], in the order of the table. */
     using StepTimes = std::array<double, 9>;
 
@@ -136,16 +140,10 @@ namespace vfife
     }
   } // namespace
 
-  Table make_contact_cost_table()
-  {
-    return {{"part"}, {"time", "us"}, {"share", "%"}};
-  }
-
-  Table measure_contact_cost(const Model                   &model,
-                             const ContactBenchmarkOptions &options,
-                             const unsigned int             repeats,
-                             const Communicator            &communicator,
-                             Log                           &log)
+  Table measure_contact_cost(const Model        &model,
+                             const unsigned int  repeats,
+                             const Communicator &communicator,
+                             Log                &log)
   {
     // The pair turns rigidly at its speeds: what touches changes as in a run, but not by its
     // forces, so that every round measures the same.
@@ -153,12 +151,12 @@ namespace vfife
     ExplicitSolver solver(model, DynamicsOptions(), communicator, log, timers);
     const double   dt = solver.stable_step();
     solver.set_step(dt);
-    TurningPair pair(model, solver, options.closing);
+    TurningPair pair(model, solver, closing);
 
     std::array<std::vector<double>, std::tuple_size<StepTimes>::value> samples;
     for (unsigned int round = 0; round < repeats; ++round)
       {
-        const StepTimes times = measure(pair, solver.contact(), dt, options.steps);
+        const StepTimes times = measure(pair, solver.contact(), dt, n_steps);
         for (unsigned int i = 0; i < times.size(); ++i)
           samples[i].push_back(1e6 * times[i]);
       }
@@ -171,7 +169,7 @@ namespace vfife
         force += tooth.normal_force;
       }
     log.line("contact of the pair closed by ",
-             1e3 * options.closing,
+             1e3 * closing,
              " um: ",
              area,
              " mm^2 in contact, ",
@@ -193,7 +191,7 @@ namespace vfife
     std::array<double, std::tuple_size<StepTimes>::value> medians;
     for (unsigned int i = 0; i < medians.size(); ++i)
       medians[i] = median_of(samples[i]);
-    Table table = make_contact_cost_table();
+    Table table{{"part"}, {"time", "us"}, {"share", "%"}};
     // Shares are of a step: forces, update and contact; the rest are parts of the contact.
     const double step = medians[0] + medians[1] + medians[2];
     for (unsigned int i = 0; i < medians.size(); ++i)

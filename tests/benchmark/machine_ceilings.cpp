@@ -1,10 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/process/machine_speed.h>
+#include "machine_ceilings.h"
+
+#include <vfife/base/process/wall_clock.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
-#include <ctime>
 
 #ifdef __x86_64__
 #  define VFIFE_TARGET(set) __attribute__((target(set)))
@@ -62,13 +63,6 @@ namespace vfife
                             VFIFE_TARGET("avx512f"))
 #undef VFIFE_MULTIPLY_ADD_LOOP
   } // namespace
-
-  double processor_time()
-  {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return time.tv_sec + 1e-9 * time.tv_nsec;
-  }
 
   MemoryTriad::MemoryTriad()
     : a_(triad_length, 0.)

@@ -1,15 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_base_process_machine_speed_h
-#define vfife_base_process_machine_speed_h
+#ifndef vfife_tests_benchmark_machine_ceilings_h
+#define vfife_tests_benchmark_machine_ceilings_h
 
 #include <vector>
 
 namespace vfife
 {
-  /** Processor time of this thread [s]. Unlike wall time it stands still while other programs have
-   * the core; what they do to caches and memory remains in it. */
-  double processor_time();
-
   /** Memory bandwidth of one core by the triad a = b + s c of the STREAM benchmark (McCalpin 1995)
    * on arrays that no cache holds. */
   class MemoryTriad

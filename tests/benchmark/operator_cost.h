@@ -1,12 +1,12 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_study_benchmark_operator_benchmark_h
-#define vfife_study_benchmark_operator_benchmark_h
+#ifndef vfife_tests_benchmark_operator_cost_h
+#define vfife_tests_benchmark_operator_cost_h
 
-#include <vfife/base/process/machine_speed.h>
+#include "plain_elements.h"
+
 #include <vfife/base/text/table.h>
 #include <vfife/dynamics/operator/vfife_operator.h>
 #include <vfife/model/model.h>
-#include <vfife/study/benchmark/plain_elements.h>
 
 #include <array>
 #include <memory>
@@ -57,9 +57,6 @@ namespace vfife
   Table compare_operators(std::vector<std::unique_ptr<BenchmarkCase>> &cases,
                           unsigned int                                 repeats,
                           unsigned int                                 steps);
-
-  /** Its table without rows: benchmark.csv. */
-  Table make_operator_table();
 } // namespace vfife
 
 #endif
