@@ -327,7 +327,7 @@ namespace vfife
         const auto                               points = compute_element_points(X);
         Eigen::Matrix<double, 6, Eigen::Dynamic> stresses(6, points.size());
         for (std::size_t q = 0; q < points.size(); ++q)
-          stresses.col(q) = D * compute_strain_matrix(points[q].gradients) * u;
+          stresses.col(q).noalias() = D * (compute_strain_matrix(points[q].gradients) * u);
         return stresses;
       }
     // The same points in the same order as compute_element_points().
