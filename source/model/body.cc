@@ -193,8 +193,8 @@ namespace vfife
   void Body::require_no_initial_strains(const std::string &method) const
   {
     if (has_initial_strains())
-      throw InputError("body \"" + name_ + "\": expected no temperature for " + method +
-                       ", got one");
+      throw InputError("body \"" + name_ + "\": expected temperature = 0 for " + method +
+                       ", got another one. Set it to 0, or use the study kind run.");
   }
 
   void Body::add_initial_strains(const std::vector<double> &strains)

@@ -402,6 +402,51 @@ void check_corner_layer()
           squares.count({{n + rows - 1, n + rows - 1}}) == 1);
 }
 
+/** Beyond a chamfer, whose sides are those of another element than that under the surface, the
+ * layer goes on along the surface. */
+void check_chamfer_layer()
+{
+  //        0    1   1.4  x
+  //   z 0  *----*            patch, edge, chamfer
+  //     .6 |    | *
+  //     1  *----*-*          held
+  LayerElements layer;
+  for (const auto &[x, z] : {std::pair(0., 0.),
+                             std::pair(1., 0.),
+                             std::pair(1.4, .6),
+                             std::pair(0., 1.),
+                             {1., 1.},
+                             {1.4, 1.}})
+    for (const double y : {0., 1.})
+      {
+        layer.points.emplace_back(x, y, z);
+        layer.held.push_back(z == 1.);
+      }
+  layer.elements = {{0, 2, 1, 3, 6, 8, 7, 9}, {2, 4, 3, 5, 8, 10, 9, 11}};
+  layer.continue_beyond({{{2, 3}}}, {0, 1, 2, 3}, 3.);
+  const auto volume = [&](const std::vector<unsigned int> &element) {
+    HexahedronNodes nodes;
+    for (unsigned int a = 0; a < 8; ++a)
+      nodes.col(a) = layer.points[element[a]];
+    return compute_volume(nodes);
+  };
+  double sum = 0.;
+  for (const auto &element : layer.elements)
+    {
+      check("layer beyond a chamfer: no element is folded", volume(element) > 0.);
+      sum += volume(element);
+    }
+  // Three rows as wide as the element under the surface, below the chamfer and the end beside it.
+  check_close("layer beyond a chamfer: volume",
+              sum - volume(layer.elements[0]) - volume(layer.elements[1]),
+              3.,
+              1e-12);
+  for (std::size_t p = 12; p < layer.points.size(); ++p)
+    check("layer beyond a chamfer: steps along the surface",
+          std::abs(std::remainder(layer.points[p][0], 1.)) < 1e-12 ||
+            std::abs(std::remainder(layer.points[p][0] - .4, 1.)) < 1e-12);
+}
+
 /** The cells converge; forces that have bent the bodies before, as springs of a contact by
  * penalties would, leave no trace. */
 void check_one_pair(const std::array<Curved, 2> &shapes, const Communicator &communicator)
@@ -448,6 +493,7 @@ int main(int argc, char **argv)
   check_edge(.5, true, 2.076, 1.2, world);
   check_edge(1., true, 1.593, 1.2, world);
   check_corner_layer();
+  check_chamfer_layer();
   meshes.push_back({{{12, 12}}, 12., 3.});
   check_pair("crossed cylinders",
              {{{Vector2(.01, 0.), off, 1.}, {Vector2(0., .04), off, -1.}}},

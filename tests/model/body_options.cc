@@ -165,7 +165,7 @@ const std::string strip =
 void composite()
 {
   const Model model =
-    make_model(body(strip + "set region materials = upper: brass\nset temperature = 10*x\n",
+    make_model(body(strip + "set region materials = upper: brass\nset temperature = 10*x K\n",
                     "subsection Material brass\n set density = 8.5 g/cm^3\n"
                     " set thermal expansion = 2e-5 1/K\nend\n"));
   const Body &made  = model.bodies[0];
@@ -181,6 +181,8 @@ void composite()
     }
   check("a region of the file has its own material", right);
   check_close("mass of both halves [g]", 1e6 * made.mass(), .01 * (7.85 + 8.5), 1e-12);
+  check("a temperature of zero is none",
+        !make_model(body("set temperature = 0.0\n")).bodies[0].has_initial_strains());
   check_below("strains of the temperature at the middles of elements", wrong, 1e-15);
   std::vector<unsigned int> lid, end;
   for (unsigned int i = 0; i < made.n_nodes(); ++i)
@@ -199,7 +201,8 @@ void composite()
   refuse(body(strip + "set region materials = UPPER: brass, UPPER: iron\n", brass + iron));
   refuse(body(strip + "set region materials = UPPER: brass, LOWER: iron\n", brass));
   refuse(body("set region materials = UPPER: brass\n"));
-  refuse(body("set temperature = 20 K\n"));
+  refuse(body("set temperature = 20 C\n"));
+  refuse(body("set temperature = 20*t\n"));
   refuse(body("set temperature = 1e5\n"));
 }
 

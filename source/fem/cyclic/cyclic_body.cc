@@ -24,25 +24,9 @@ namespace vfife
       return options;
     }
 
-    /** Throws InputError where initial strains differ between sectors. */
-    void require_equal_strains(const Body &body)
-    {
-      // Temperatures are formulas of places, which differ by round-off.
-      constexpr double round_off = 1e-12;
-      if (body.has_initial_strains())
-        for (unsigned int e = 0; e < body.n_elements(); ++e)
-          if (std::abs(body.initial_strain(e) -
-                       body.initial_strain(body.structure().first_copy_of_element(e))) > round_off)
-            throw InputError("body \"" + body.name() +
-                             "\": expected a temperature that is equal in all sectors for analyses "
-                             "of one sector, got a different one at element " +
-                             std::to_string(e));
-    }
-
     /** Throws InputError for what no sector can have by itself. */
     const Model &require_own_supports(const Model &model, const unsigned int b)
     {
-      require_equal_strains(model.bodies[b]);
       for (const Load &load : model.loads)
         if (load.body == b)
           throw InputError("body \"" + model.bodies[b].name() + "\": load \"" + load.name +

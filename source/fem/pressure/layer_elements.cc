@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace vfife
@@ -67,11 +68,47 @@ namespace vfife
       return corners;
     }
 
+    bool all_of(const std::array<unsigned int, 4> &points, const std::vector<char> &which)
+    {
+      return std::all_of(points.begin(), points.end(), [&which](const unsigned int p) {
+        return which[p];
+      });
+    }
+
     using Edge = std::pair<unsigned int, unsigned int>;
 
     Edge make_edge(const unsigned int a, const unsigned int b)
     {
       return {std::min(a, b), std::max(a, b)};
+    }
+
+    /** By edges of the surface: the side beyond which the element under the surface ends there. */
+    using SurfaceEnds = std::map<Edge, Side>;
+
+    SurfaceEnds
+    find_ends(const LayerElements &layer, const std::vector<char> &surface, const PointPairs &edges)
+    {
+      std::set<Edge> wanted;
+      for (const auto &edge : edges)
+        wanted.insert(make_edge(edge[0], edge[1]));
+      SurfaceEnds ends;
+      for (unsigned int e = 0; e < layer.elements.size(); ++e)
+        for (unsigned int axis = 0; axis < 3; ++axis)
+          for (const bool high : {false, true})
+            {
+              const auto corners = corners_of(layer.elements[e], {e, axis, high});
+              if (!all_of(corners, surface))
+                continue;
+              // Corners 0, 1 and 2, 3 run along the axis after this one, at both ends of the next.
+              const unsigned int        u = (axis + 1) % 3, v = (axis + 2) % 3;
+              const std::array<Side, 4> ends_of = {
+                {{e, v, false}, {e, u, true}, {e, v, true}, {e, u, false}}};
+              for (unsigned int k = 0; k < 4; ++k)
+                if (const Edge edge = make_edge(corners[k], corners[(k + 1) % 4]);
+                    wanted.count(edge) != 0)
+                  ends.emplace(edge, ends_of[k]);
+            }
+      return ends;
     }
 
     /** Sides that no other element has, that are not all held and no facets of the surface. */
@@ -81,12 +118,6 @@ namespace vfife
       /** @p surface: of the points, whether they are on it. */
       FreeSides(const LayerElements &layer, const std::vector<char> &surface)
       {
-        const auto all_of = [](const std::array<unsigned int, 4> &corners,
-                               const std::vector<char>           &which) {
-          return std::all_of(corners.begin(), corners.end(), [&which](const unsigned int p) {
-            return which[p];
-          });
-        };
         std::map<std::array<unsigned int, 4>, std::vector<Side>> all;
         for (unsigned int e = 0; e < layer.elements.size(); ++e)
           for (unsigned int axis = 0; axis < 3; ++axis)
@@ -170,22 +201,27 @@ namespace vfife
       /** @p surface: of the points, whether they are on it, with those that are added. */
       Continuation(LayerElements           &layer,
                    const std::vector<Side> &sides,
-                   const PointPairs        &edges,
+                   const SurfaceEnds       &ends,
                    std::vector<char>       &surface)
         : layer_(layer)
         , surface_(surface)
       {
-        std::vector<char> at_edge(layer.points.size(), false);
-        for (const auto &edge : edges)
-          for (const unsigned int point : edge)
-            at_edge[point] = true;
-        // How the patch comes to the edge: the last step of its lines.
+        // How the surface comes to the edge: the last step of its lines. The sides beyond the edge
+        // may be those of other elements, as at a chamfer.
         std::map<unsigned int, Vector3> steps;
         for (const Side &side : sides)
-          for (unsigned int a = 0; a < layer.elements[side.element].size(); ++a)
-            if (const unsigned int point = layer.elements[side.element][a];
-                is_on(side, a) && at_edge[point])
-              steps[point] = layer.points[point] - layer.points[opposite(side, a)];
+          {
+            const auto corners = corners_of(layer.elements[side.element], side);
+            for (unsigned int k = 0; k < 4; ++k)
+              if (const auto end = ends.find(make_edge(corners[k], corners[(k + 1) % 4]));
+                  end != ends.end())
+                {
+                  const std::vector<unsigned int> &own = layer.elements[end->second.element];
+                  for (unsigned int a = 0; a < own.size(); ++a)
+                    if (own[a] == end->first.first || own[a] == end->first.second)
+                      steps[own[a]] = layer.points[own[a]] - layer.points[opposite(end->second, a)];
+                }
+          }
         width        = std::numeric_limits<double>::infinity();
         Vector3 mean = Vector3::Zero();
         for (const auto &step : steps)
@@ -301,12 +337,13 @@ namespace vfife
     std::vector<char> surface(points.size(), false);
     for (const unsigned int point : of_surface)
       surface[point] = true;
+    const SurfaceEnds ends = find_ends(*this, surface, edges);
     for (const auto &edge : edges)
       {
         std::vector<Side> sides = FreeSides(*this, surface).find_at(edge);
         if (sides.empty())
           continue; // beyond which it goes on already
-        Continuation beyond(*this, sides, edges, surface);
+        Continuation beyond(*this, sides, ends, surface);
         for (double done = 0.; done < length; done += beyond.width)
           {
             for (Side &side : sides)

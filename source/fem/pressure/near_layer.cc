@@ -29,8 +29,8 @@ namespace vfife
           reached_[point - part_.first_point] = true;
       }
 
-      /** The elements that share a point with what has been reached; says whether there are new
-       * ones and none of them has one of @p others. */
+      /** The elements that share a point with what has been reached and have none of @p others;
+       * says whether there are new ones. */
       bool add_layer(const std::vector<bool> &others)
       {
         std::vector<bool> now = used_;
@@ -39,7 +39,7 @@ namespace vfife
             now[parent(e)] = true;
         for (unsigned int e = 0; e < part_.n_elements; ++e)
           if (now[parent(e)] && !is_used(e) && has_point(e, others))
-            return false;
+            now[parent(e)] = false;
         if (now == used_)
           return false;
         used_ = std::move(now);

@@ -72,7 +72,7 @@ namespace vfife
     if (model_.has_initial_strains() && !model.bearings.empty() && model.any_body_turns() &&
         !centrifugal)
       throw InputError("expected centrifugal = yes for rotating bodies in bearings that have a "
-                       "temperature, got no");
+                       "temperature, got no. Set centrifugal = yes or temperature = 0.");
     check_motions();
     spun_.assign(3 * static_cast<std::size_t>(space_.n_points()), 0.);
     if (factorized == Factorized::bodies || !factorize_sectors(options, centrifugal))

@@ -15,13 +15,14 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace vfife
 {
   namespace
   {
-    const char *const region_entry = "/region materials";
+    const char *const region_entry = "/region materials", *const temperature_entry = "/temperature";
 
     /** Elements are linear elastic: beyond this a temperature is hardly meant. */
     constexpr double largest_initial_strain = 0.1;
@@ -32,6 +33,12 @@ namespace vfife
       const std::size_t colon = std::min(pair.rfind(':'), pair.size());
       return {trimmed(pair.substr(0, colon)),
               trimmed(pair.substr(std::min(colon + 1, pair.size())))};
+    }
+
+    /** "40 * x" of "40 * x K". */
+    std::string without_kelvin(const std::string &formula)
+    {
+      return boost::ends_with(formula, " K") ? formula.substr(0, formula.size() - 2) : formula;
     }
   } // namespace
 
@@ -53,6 +60,10 @@ namespace vfife
 
   void BodyMaterials::check(const std::string &section, const std::string &region_of_body) const
   {
+    if (has_word(temperature, "t"))
+      throw InputError(section + temperature_entry,
+                       "expected a formula of x, y, z, got t in \"" + temperature +
+                         "\". A temperature does not depend on time. Remove t.");
     for (const std::string &pair : of_regions)
       {
         const auto [region, name] = split_region_material(pair);
@@ -117,21 +128,28 @@ namespace vfife
                              list_of(known, true));
       }
     std::vector<std::uint8_t> materials;
+    std::set<unsigned int>    empty; // regions that the mesh could have, such as a web
+    for (const auto &region : of_region)
+      empty.insert(region.first);
     for (const auto &cell : mesh.triangulation.active_cell_iterators())
       {
         const auto found = of_region.find(cell->material_id());
         materials.push_back(found == of_region.end() ? 0 : found->second);
+        empty.erase(cell->material_id());
       }
+    for (const auto &[id, region] : mesh.regions)
+      if (empty.count(id) != 0)
+        throw InputError(entry,
+                         "expected a region with elements, got \"" + region +
+                           "\", which has none in this body. Remove it.");
     mesh.structure.set_materials(std::move(materials));
   }
 
   void BodyMaterials::give_temperature(Body &body, const std::string &section) const
   {
-    const std::string entry = section + "/temperature";
-    if (temperature == "0")
-      return;
+    const std::string entry = section + temperature_entry;
     for_entry(entry, [&] {
-      const Expression    formula(temperature, entry);
+      const Expression    formula(without_kelvin(temperature), entry);
       std::vector<double> strains;
       for (unsigned int e = 0; e < body.n_elements(); ++e)
         {
@@ -140,10 +158,11 @@ namespace vfife
           if (!(std::abs(strains.back()) < largest_initial_strain))
             throw InputError(entry,
                              "expected a temperature that expands the material by less than " +
-                               std::to_string(100. * largest_initial_strain) + " %, got " +
-                               std::to_string(rise) + " K at element " + std::to_string(e));
+                               number_text(100. * largest_initial_strain) + " %, got " +
+                               number_text(rise) + " K at element " + std::to_string(e));
         }
-      body.add_initial_strains(strains);
+      if (std::any_of(strains.begin(), strains.end(), [](const double s) { return s != 0.; }))
+        body.add_initial_strains(strains);
     });
   }
 } // namespace vfife

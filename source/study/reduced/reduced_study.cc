@@ -187,6 +187,7 @@ namespace vfife
       void inspect(Communicator &, Log &log) override
       {
         const Model model = pair_case_->make_model(log);
+        require_reducible(model);
         RootStress(model, fillets_);
         check_instants(model);
         log.line("penalty ",
@@ -414,6 +415,7 @@ namespace vfife
       log.set_verbosity(output_.verbosity);
       const Communicator &communicator = folder.communicator();
       Model               model        = pair_case_->make_model(log);
+      require_reducible(model);
       check_instants(model); // before the reduction, which takes longer
       const auto   settled      = settle_penalties(*pair_case_, fem(), communicator, log, model);
       const double mean_penalty = model.contacts.front().mean_penalty();

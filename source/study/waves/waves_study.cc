@@ -90,7 +90,7 @@ namespace vfife
       void inspect(Communicator &, Log &log) override
       {
         const Model model = pair_case_->make_model(log);
-        check_diameters(model);
+        check_model(model);
         log.line("waves of the ",
                  model.bodies[model.only_transmission()->driven].name(),
                  " with modes below ",
@@ -156,7 +156,8 @@ namespace vfife
                            communicator,
                            log);
       }
-      void check_diameters(const Model &model) const;
+      /** Throws InputError for bodies that have no reduction, and too many nodal diameters. */
+      void check_model(const Model &model) const;
       /** Throws InputError for diameters without a mode of the body. */
       void require_waves(const ReducedBody &body) const;
       struct Tools;
@@ -194,8 +195,10 @@ namespace vfife
                                           fillets_.records()));
     }
 
-    void WavesStudy::check_diameters(const Model &model) const
+    void WavesStudy::check_model(const Model &model) const
     {
+      for (const Body &body : model.bodies)
+        body.require_no_initial_strains("reduced bodies");
       const unsigned int most = RimWriter::count_diameters(model);
       for (const unsigned int n : options_.diameter_numbers())
         if (n > most)
@@ -291,7 +294,7 @@ namespace vfife
     {
       log.set_verbosity(output_.verbosity);
       Model model = pair_case_->make_model(log);
-      check_diameters(model);
+      check_model(model);
       settle_penalties(
         *pair_case_, reduced_.fem(dynamics_.stiffness), folder.communicator(), log, model);
       const auto                start = WallClock::now();

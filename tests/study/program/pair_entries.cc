@@ -100,7 +100,8 @@ void region_materials(Communicator &world)
         std::isnan(read_result_table("pair_regions/mesh.csv").numbers("true mass")[1]));
   for (const auto &[pairs, format] : {std::pair("web: alloy", "inp"),
                                       std::pair("teeth: alloy", "vtu"),
-                                      std::pair("wep: alloy", "vtu")})
+                                      std::pair("wep: alloy", "vtu"),
+                                      std::pair("shaft: alloy", "vtu")})
     print_refusal(
       [&, pairs = pairs, format = format] { run("pair_refused", text(pairs, format), world); });
 }

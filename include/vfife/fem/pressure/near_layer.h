@@ -26,12 +26,12 @@ namespace vfife
   };
 
   /**
-   * As many layers of elements as make the mean depth @p depth [mm], or as there are before they
-   * come to the points @p others (the other side of a tooth); at least one. Divided elements count
-   * as the one of the body that they are parts of. @p means: by which the points of the @p patch
+   * As many layers of elements as make the mean depth @p depth [mm], or as there are without those
+   * at the points @p others (the other side of a tooth); at least one. Divided elements count as
+   * the one of the body that they are parts of. @p means: by which the points of the @p patch
    * move and take forces. @p edges: sides of the elements' faces on the patch that lie on edges of
    * the body, by their points.
-   * Throws InputError where one layer comes to those, or is not held.
+   * Throws InputError where elements under the patch are at those, or the layers are not held.
    */
   NearLayer find_near_layer(const FemSpace                  &space,
                             std::vector<unsigned int>        patch,

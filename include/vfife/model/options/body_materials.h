@@ -20,13 +20,15 @@ namespace vfife
   {
     std::string              material = "steel";
     std::vector<std::string> of_regions; ///< "REGION: MATERIAL"; other regions have the material
-    std::string              temperature = "0"; ///< formula of x, y, z [K], body frame
+    /** Formula of x, y, z in the body frame [K], with or without the unit at its end. */
+    std::string temperature = "0";
 
     /** @p regions: those that the second entry may name, for its description. */
     void declare(dealii::ParameterHandler &prm, const std::string &regions);
 
     /** Throws InputError naming an entry of @p section where a pair is incomplete, or names the
-     * @p region_of_body, whose material is the entry `material`. */
+     * @p region_of_body, whose material is the entry `material`, or the temperature depends on
+     * time. */
     void check(const std::string &section, const std::string &region_of_body = "") const;
 
     /** Names of sections, each once: that of the body, then those of regions. */
@@ -36,7 +38,7 @@ namespace vfife
     std::vector<Material> find(const MaterialSections &sections, const std::string &section) const;
 
     /** Gives the elements of @p mesh their numbers among names(). Throws InputError where the mesh
-     * has no such region, or a region has two materials. */
+     * has no such region, or none of its elements, or a region has two materials. */
     void assign(BodyMesh &mesh, const std::string &section) const;
 
     /** Gives the elements of @p body the strain of free thermal expansion at their centres. Throws
