@@ -204,20 +204,30 @@ namespace vfife
         }
     }
 
+    /** Gears that cannot be made: a study finds that out before its meshes, when it has begun. */
+    void check_gears(const ParameterFile &file, const dealii::ParameterHandler &prm)
+    {
+      if (find_pair_geometry(file, prm))
+        GearPair{read_pair_options(file)};
+    }
+
     /** Knows the kinds by their table. */
     class StudyRunner : public CaseRunner
     {
     public:
       CaseFile read(const CommandLine &line) const override
       {
-        const ParameterFile file(line.parameter_file, line.overrides);
-        return explained(file, [&]() -> CaseFile {
-          ReadStudy parsed(file, *this);
-          // Its files may be results of cases that come before it.
+        // Its files may be results of cases that come before it.
+        return read_checked(line, [](const ParameterFile &, const ReadStudy &parsed) {
           parsed.study->check();
-          const AbsoluteFileNames absolute(parsed.prm); // as in the parameters that are kept
-          return {find_declared(parsed.prm).list_texts(&DeclaredSection::Entry::value),
-                  parsed.options.kind.last_file};
+        });
+      }
+
+      CaseFile check(const CommandLine &line) const override
+      {
+        return read_checked(line, [](const ParameterFile &file, const ReadStudy &parsed) {
+          parsed.check();
+          check_gears(file, parsed.prm);
         });
       }
 
@@ -225,6 +235,20 @@ namespace vfife
       {
         const ParameterFile file(line.parameter_file, line.overrides);
         explained(file, [&] { read_and_run(line, file, *this, communicator, log); });
+      }
+
+    private:
+      template <typename Check>
+      CaseFile read_checked(const CommandLine &line, const Check &check) const
+      {
+        const ParameterFile file(line.parameter_file, line.overrides);
+        return explained(file, [&]() -> CaseFile {
+          ReadStudy parsed(file, *this);
+          check(file, parsed);
+          const AbsoluteFileNames absolute(parsed.prm); // as in the parameters that are kept
+          return {find_declared(parsed.prm).list_texts(&DeclaredSection::Entry::value),
+                  parsed.options.kind.last_file};
+        });
       }
     };
   } // namespace

@@ -60,6 +60,10 @@ namespace vfife
     /** Throws InputError (complete message). */
     virtual CaseFile read(const CommandLine &line) const = 0;
 
+    /** The same for a case that could begin now: its files have to be there, and its gears can be
+     * made. Without meshes. */
+    virtual CaseFile check(const CommandLine &line) const = 0;
+
     /** Throws InputError (complete message), NumericalError and Interrupted. Collective. */
     virtual void run(const CommandLine &line, Communicator &communicator, Log &log) const = 0;
 

@@ -170,7 +170,7 @@ namespace vfife
     for (const SweepRuns::Values &values : runs_.list())
       try
         {
-          runner_.read(command_line(values));
+          runner_.check(command_line(values));
         }
       catch (const InputError &error)
         {

@@ -140,9 +140,26 @@ void numerical()
        run({"--set", "Sweep/Parameter cells/relative element sizes=3, 2, 1", "--check"}));
 }
 
+/** The second run's gear cannot be made: the first one does not begin. */
+void gears()
+{
+  std::ofstream("chamfers.prm") << "subsection Study\n  set kind = sweep\nend\n"
+                                   "subsection Sweep\n  set base = "
+                                << tree_folder()
+                                << "/prm/gear/paper_tca.prm\n  set parameters = chamfer\n"
+                                   "  subsection Parameter chamfer\n"
+                                   "    set entry  = Gear pair/Gear/tip chamfer\n"
+                                   "    set values = 0.1 mm, 0.9 mm\n  end\nend\n";
+  const Ending ending = run_program({program_file(), "chamfers.prm", "-o", "chamfers"});
+  check("gears of all runs are made before the first one begins",
+        ending.exit_code == 1 && has_text(ending.text, "(Sweep/Parameter chamfer/values)") &&
+          has_text(ending.text, "run with chamfer = 0.9 mm") &&
+          has_text(ending.text, "expected at most 0.73 mm") && !fs::exists("chamfers"));
+}
+
 int main()
 {
-  for (const char *folder : {"all", "list", "two_ranks", "modes", "numerical"})
+  for (const char *folder : {"all", "list", "two_ranks", "modes", "numerical", "chamfers"})
     fs::remove_all(folder);
   fs::create_directory("modes");
   std::ofstream("modes/coupled_modes.csv") << "axes,frequency [Hz]\nstanding,923\n";
@@ -255,5 +272,6 @@ int main()
                  "has neither coupled modes"));
   show("nothing to vary", sweep("list", {"--set", "Sweep/parameters="}));
   numerical();
+  gears();
   return 0;
 }
