@@ -48,9 +48,11 @@ void write_numerical_case()
        "  set entries = Output/verbosity=quiet\n"
        "  set parameters = cells, limit\n"
        "  set numerical parameters = cells\n"
-       "  set figures = way\n"
+       "  set figures = way, late\n"
        "  subsection Figure way\n    set column = behind displacement x\n"
        "    set reference = 0.049\n  end\n"
+       "  subsection Figure late\n    set column = behind displacement x\n"
+       "    set from = 1 s\n  end\n"
        "  subsection Parameter cells\n"
        "    set entry  = Model/Body flying/elements x; Model/Body resting/elements x\n"
        "    set values = 10 | 10, 20 | 20, 40 | 40\n  end\n"
@@ -97,15 +99,20 @@ void numerical()
     words.insert(words.end(), more.begin(), more.end());
     return run_program(words);
   };
-  check("numerical: a variant fails", run({}).exit_code == 2);
+  const Ending ending = run({});
+  check("numerical: a variant fails", ending.exit_code == 2);
+  check("no samples: a warning for each run",
+        has_text(ending.text, "run_01: figure \"late\": no samples from 1 s on; the record ends") &&
+          has_text(ending.text, "run_03: figure \"late\": no samples"));
   show_table("numerical");
   const vfife::Table table = vfife::read_result_table("numerical/sweep.csv"),
                      bars  = vfife::read_result_table("numerical/error_bars.csv"),
                      pairs = vfife::read_result_table("numerical/differences.csv");
-  const auto       &way    = table.numbers("way");
-  const auto       &names  = bars.column("quantity").texts;
-  const std::size_t row    = std::find(names.begin(), names.end(), "way") - names.begin();
-  const auto        text   = [&bars, row](const char *name, const std::size_t next) {
+  check("no samples: an empty column", std::isnan(table.numbers("late")[0]));
+  const auto       &way   = table.numbers("way");
+  const auto       &names = bars.column("quantity").texts;
+  const std::size_t row   = std::find(names.begin(), names.end(), "way") - names.begin();
+  const auto        text  = [&bars, row](const char *name, const std::size_t next) {
     return bars.column(name).texts[row + next];
   };
   check_close("value: of the finest", bars.numbers("value")[row], way[2], 0);
