@@ -246,7 +246,9 @@ namespace vfife
           ReadStudy parsed(file, *this);
           check(file, parsed);
           const AbsoluteFileNames absolute(parsed.prm); // as in the parameters that are kept
-          return {find_declared(parsed.prm).list_texts(&DeclaredSection::Entry::value),
+          const DeclaredSection   declared = find_declared(parsed.prm);
+          return {declared.list_texts(&DeclaredSection::Entry::value),
+                  declared.list_texts(&DeclaredSection::Entry::pattern),
                   parsed.options.kind.last_file};
         });
       }

@@ -42,10 +42,14 @@ namespace vfife
   struct CaseFile
   {
     EntryValues entries;   ///< in force
+    EntryValues allowed;   ///< what their values may be, DeclaredSection::Entry::pattern
     std::string last_file; ///< KnownStudy::last_file
 
     /** Of an entry by its path; empty where there is none. */
     std::string value(const std::string &entry) const;
+
+    /** Whether an entry is a whole number. */
+    bool is_count(const std::string &entry) const;
   };
 
   /**

@@ -139,6 +139,19 @@ void numerical()
   show("twice", run({"--set", "Sweep/numerical parameters=cells, cells"}));
   show("one value", run({"--set", "Sweep/Parameter cells/values=10 | 10"}));
   show("a value for one entry of two", run({"--set", "Sweep/Parameter cells/values=10 | 10, 20"}));
+  show("from fine to coarse", run({"--set", "Sweep/Parameter cells/values=40 | 40, 20 | 20"}));
+  show("a size that grows",
+       run({"--set",
+            "Sweep/Parameter cells/entry=Dynamics/time step factor",
+            "--set",
+            "Sweep/Parameter cells/values=0.4, 0.8"}));
+  show("the same cells twice",
+       run({"--set", "Sweep/Parameter cells/values=10 | 10, 20 | 20, 20 | 20"}));
+  show("the same number twice", run({"--set", "Sweep/Parameter limit/values=0.1, 1e-1"}));
+  show("an entry of two parameters",
+       run({"--set", "Sweep/Parameter limit/entry=Model/Body resting/elements x"}));
+  show("an entry of all runs and of a parameter",
+       run({"--set", "Sweep/entries=Model/Body flying/elements x = 5"}));
   show("two sizes", run({"--set", "Sweep/Parameter cells/relative element sizes=2, 1"}));
   show("sizes that grow", run({"--set", "Sweep/Parameter cells/relative element sizes=1, 2, 4"}));
   show("sizes of another parameter",
