@@ -28,7 +28,8 @@ namespace vfife
 
   using ComparedCases = std::vector<ComparedCase>;
 
-  /** A sentence for each case whose geometry is not that of the first case that states one. */
+  /** A sentence for each case whose geometry, errors, chamfers or temperatures are not those of the
+   * first case that states a geometry. */
   std::vector<std::string> list_other_pairs(const ComparedCases &cases);
 
   /** The first case of a kind that has a file, or nullptr. */
