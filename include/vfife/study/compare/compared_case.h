@@ -18,6 +18,8 @@ namespace vfife
 
     /** Whether anything of its results has been read. */
     mutable bool is_read = false;
+    /** Why what has been read makes no row, a sentence; empty where it does. */
+    mutable std::string lack = "";
 
     bool has(const std::string &file) const;
     /** A .csv file; throws InputError where it cannot be read. */
