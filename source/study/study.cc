@@ -234,7 +234,19 @@ namespace vfife
       void run(const CommandLine &line, Communicator &communicator, Log &log) const override
       {
         const ParameterFile file(line.parameter_file, line.overrides);
-        explained(file, [&] { read_and_run(line, file, *this, communicator, log); });
+        explained(file, [&] {
+          try
+            {
+              read_and_run(line, file, *this, communicator, log);
+            }
+          catch (const InputError &error)
+            {
+              // The entry is not in force beside -o.
+              if (line.output_folder.empty() || error.entry() != "Study/output folder")
+                throw;
+              throw InputError(std::string("-o: ") + error.what());
+            }
+        });
       }
 
     private:

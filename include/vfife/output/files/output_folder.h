@@ -44,7 +44,7 @@ namespace vfife
   public:
     /**
      * Creates the folder where it does not exist (collective). Throws on all ranks: InputError when
-     * the path is a file, std::runtime_error when it cannot be created or written to.
+     * it cannot be created or written to, std::runtime_error when the disk is full or fails.
      */
     OutputFolder(std::string path, const Communicator &communicator);
     /** No folder: @p keeper, which must outlive this, takes all files, and nothing is written. What
