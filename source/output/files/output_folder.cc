@@ -293,15 +293,27 @@ namespace vfife
     return log_file_ ? static_cast<std::size_t>(log_file_->tellp()) : 0;
   }
 
+  std::map<std::string, KeptEntry> read_kept_entries(const std::string &folder)
+  {
+    std::map<std::string, KeptEntry> kept;
+    std::ifstream                    file(folder + "/parameters.json");
+    const Json                       entries = Json::parse(file, nullptr, false);
+    const auto                       text = [](const Json &entry, const char *name) -> std::string {
+      return entry.contains(name) && entry[name].is_string() ? entry[name].get<std::string>() : "";
+    };
+    if (entries.is_object())
+      for (const auto &[path, entry] : entries.items())
+        if (entry.is_object())
+          kept[path] = {text(entry, "value"), text(entry, "unit"), text(entry, "digest")};
+    return kept;
+  }
+
   std::map<std::string, std::string> read_input_digests(const std::string &folder)
   {
     std::map<std::string, std::string> digests;
-    std::ifstream                      file(folder + "/parameters.json");
-    const Json                         entries = Json::parse(file, nullptr, false);
-    if (entries.is_object())
-      for (const auto &[path, entry] : entries.items())
-        if (entry.is_object() && entry.contains("digest") && entry["digest"].is_string())
-          digests[path] = entry["digest"].get<std::string>();
+    for (const auto &[path, entry] : read_kept_entries(folder))
+      if (!entry.digest.empty())
+        digests[path] = entry.digest;
     return digests;
   }
 } // namespace vfife

@@ -2,18 +2,15 @@
 #include <vfife/base/case_sections.h>
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/file_names.h>
-#include <vfife/base/text/json.h>
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/base/text/quantity.h>
+#include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/run_figures.h>
 #include <vfife/output/files/table_reader.h>
 #include <vfife/study/compare/compared_case.h>
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <sstream>
 
@@ -47,30 +44,12 @@ namespace vfife
              (path.rfind(pair + "/", 0) == 0 && (ends("/tip chamfer") || ends("/temperature")));
     }
 
-    /** An entry in force, and the unit of a bare number. */
-    struct PairEntry
-    {
-      std::string value, unit;
-    };
-
-    /** Those of makes_another_pair(), by their paths, of parameters.json. */
-    std::map<std::string, PairEntry> read_pair_entries(const std::string &folder)
-    {
-      std::map<std::string, PairEntry> entries;
-      std::ifstream                    file(folder + "/parameters.json");
-      const Json                       json = Json::parse(file, nullptr, false);
-      if (json.is_object())
-        for (const auto &[path, entry] : json.items())
-          if (makes_another_pair(path) && entry.is_object())
-            entries[path] = {entry.value("value", ""), entry.value("unit", "")};
-      return entries;
-    }
-
     /** As describe_difference(); of formulas and names the texts. */
     std::string
-    describe_entries(const std::string &path, const PairEntry &one, const PairEntry &other)
+    describe_entries(const std::string &path, const KeptEntry &one, const KeptEntry &other)
     {
-      if (one.value == other.value)
+      // Files are what they say, wherever they are.
+      if (one.digest.empty() ? one.value == other.value : one.digest == other.digest)
         return "";
       const auto figure = [&one](const std::string &text) {
         return Figure{read_quantity(text, one.unit).in(find_unit(one.unit)), one.unit};
@@ -110,7 +89,7 @@ namespace vfife
     NamedFigures             known;
     std::vector<std::string> sentences;
     // Of the first case, as those known.
-    std::map<std::string, PairEntry> known_entries;
+    std::map<std::string, KeptEntry> known_entries;
     for (const ComparedCase &one : cases)
       {
         const NamedFigures geometry = read_geometry(one.folder);
@@ -118,15 +97,16 @@ namespace vfife
           {
             first         = &one;
             known         = geometry;
-            known_entries = read_pair_entries(one.folder);
+            known_entries = read_kept_entries(one.folder);
           }
         std::vector<std::string> differing;
         for (const auto &[name, figure] : geometry)
           for (const auto &[other_name, other] : known)
             if (name == other_name)
               differing.push_back(describe_difference(name, figure, other));
-        for (const auto &[path, entry] : read_pair_entries(one.folder))
-          if (const auto other = known_entries.find(path); other != known_entries.end())
+        for (const auto &[path, entry] : read_kept_entries(one.folder))
+          if (const auto other = known_entries.find(path);
+              other != known_entries.end() && makes_another_pair(path))
             differing.push_back(describe_entries(path, entry, other->second));
         differing.erase(std::remove(differing.begin(), differing.end(), ""), differing.end());
         if (differing.empty())

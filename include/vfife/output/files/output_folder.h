@@ -152,6 +152,17 @@ namespace vfife
     std::string                                      parameter_file_;
   };
 
+  /** An entry in force, of parameters.json. */
+  struct KeptEntry
+  {
+    std::string value;
+    std::string unit;   ///< of a bare number
+    std::string digest; ///< of the content of the file that it names; empty where it names none
+  };
+
+  /** Those of a folder of results by their paths ("A/B/name"); empty where it has none. */
+  std::map<std::string, KeptEntry> read_kept_entries(const std::string &folder);
+
   /** The digests of files that OutputFolder::write_parameters() has kept in @p folder, by entry;
    * none where earlier versions of the program have written there. */
   std::map<std::string, std::string> read_input_digests(const std::string &folder);
