@@ -14,6 +14,7 @@
 #include <vfife/study/case_runner.h>
 #include <vfife/study/continuation.h>
 
+#include <algorithm>
 #include <ostream>
 #include <sstream>
 
@@ -69,6 +70,13 @@ namespace vfife
       if (one.first == entry)
         return one.second;
     return "";
+  }
+
+  bool CaseFile::is_count(const std::string &entry) const
+  {
+    return std::any_of(allowed.begin(), allowed.end(), [&entry](const auto &one) {
+      return one.first == entry && is_whole_number(one.second);
+    });
   }
 
   std::string CaseRunner::find_change(const CommandLine &line) const

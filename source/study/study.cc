@@ -204,27 +204,65 @@ namespace vfife
         }
     }
 
+    /** Gears that cannot be made: a study finds that out before its meshes, when it has begun. */
+    void check_gears(const ParameterFile &file, const dealii::ParameterHandler &prm)
+    {
+      if (find_pair_geometry(file, prm))
+        GearPair{read_pair_options(file)};
+    }
+
     /** Knows the kinds by their table. */
     class StudyRunner : public CaseRunner
     {
     public:
       CaseFile read(const CommandLine &line) const override
       {
-        const ParameterFile file(line.parameter_file, line.overrides);
-        return explained(file, [&]() -> CaseFile {
-          ReadStudy parsed(file, *this);
-          // Its files may be results of cases that come before it.
+        // Its files may be results of cases that come before it.
+        return read_checked(line, [](const ParameterFile &, const ReadStudy &parsed) {
           parsed.study->check();
-          const AbsoluteFileNames absolute(parsed.prm); // as in the parameters that are kept
-          return {find_declared(parsed.prm).list_texts(&DeclaredSection::Entry::value),
-                  parsed.options.kind.last_file};
+        });
+      }
+
+      CaseFile check(const CommandLine &line) const override
+      {
+        return read_checked(line, [](const ParameterFile &file, const ReadStudy &parsed) {
+          parsed.check();
+          check_gears(file, parsed.prm);
         });
       }
 
       void run(const CommandLine &line, Communicator &communicator, Log &log) const override
       {
         const ParameterFile file(line.parameter_file, line.overrides);
-        explained(file, [&] { read_and_run(line, file, *this, communicator, log); });
+        explained(file, [&] {
+          try
+            {
+              read_and_run(line, file, *this, communicator, log);
+            }
+          catch (const InputError &error)
+            {
+              // The entry is not in force beside -o.
+              if (line.output_folder.empty() || error.entry() != "Study/output folder")
+                throw;
+              throw InputError(std::string("-o: ") + error.what());
+            }
+        });
+      }
+
+    private:
+      template <typename Check>
+      CaseFile read_checked(const CommandLine &line, const Check &check) const
+      {
+        const ParameterFile file(line.parameter_file, line.overrides);
+        return explained(file, [&]() -> CaseFile {
+          ReadStudy parsed(file, *this);
+          check(file, parsed);
+          const AbsoluteFileNames absolute(parsed.prm); // as in the parameters that are kept
+          const DeclaredSection   declared = find_declared(parsed.prm);
+          return {declared.list_texts(&DeclaredSection::Entry::value),
+                  declared.list_texts(&DeclaredSection::Entry::pattern),
+                  parsed.options.kind.last_file};
+        });
       }
     };
   } // namespace

@@ -45,6 +45,7 @@ void check_command_line()
   refuse({"a.prm", "--chek"});
   refuse({"a.prm", "--che"});
   refuse({"a.prm", "--set"});
+  refuse({"a.prm", "-o", ""});
   // Longer than the name of a file may be.
   refuse({"a.prm", "--restart", std::string(300, 'x').c_str()});
 }

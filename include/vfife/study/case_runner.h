@@ -42,10 +42,14 @@ namespace vfife
   struct CaseFile
   {
     EntryValues entries;   ///< in force
+    EntryValues allowed;   ///< what their values may be, DeclaredSection::Entry::pattern
     std::string last_file; ///< KnownStudy::last_file
 
     /** Of an entry by its path; empty where there is none. */
     std::string value(const std::string &entry) const;
+
+    /** Whether an entry is a whole number. */
+    bool is_count(const std::string &entry) const;
   };
 
   /**
@@ -59,6 +63,10 @@ namespace vfife
 
     /** Throws InputError (complete message). */
     virtual CaseFile read(const CommandLine &line) const = 0;
+
+    /** The same for a case that could begin now: its files have to be there, and its gears can be
+     * made. Without meshes. */
+    virtual CaseFile check(const CommandLine &line) const = 0;
 
     /** Throws InputError (complete message), NumericalError and Interrupted. Collective. */
     virtual void run(const CommandLine &line, Communicator &communicator, Log &log) const = 0;

@@ -90,6 +90,9 @@ namespace vfife
     /** How patterns of declare_quantity() begin. */
     const std::string number_words = "a number";
 
+    /** How those of whole numbers begin. */
+    const std::string whole_number_words = "a whole number";
+
     /**
      * As a message ends with it: "positive", "at least 2", "between 0 and 1"; "" without a limit.
      */
@@ -211,6 +214,11 @@ namespace vfife
     return pattern.substr(begin, pattern.find('"', begin) - begin);
   }
 
+  bool is_whole_number(const std::string &pattern)
+  {
+    return pattern.compare(0, whole_number_words.size(), whole_number_words) == 0;
+  }
+
   std::string
   describe_quantity(const std::string &meaning, const std::string &unit, const Range &range)
   {
@@ -309,7 +317,7 @@ namespace vfife
       value,
       read,
       [&value](const unsigned int number) { value = number; },
-      "a whole number" + (words.empty() ? "" : ", " + words),
+      whole_number_words + (words.empty() ? "" : ", " + words),
       description_of(meaning, words, "-"));
   }
 
@@ -340,7 +348,7 @@ namespace vfife
       value,
       read,
       [&value](const NumberOrWord &given) { value = given; },
-      "a whole number, " + range + ", or \"" + word + "\"",
+      whole_number_words + ", " + range + ", or \"" + word + "\"",
       description_of(meaning, range + ", or \"" + word + "\"", "-"));
   }
 

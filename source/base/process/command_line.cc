@@ -104,6 +104,8 @@ namespace vfife
                          .run(),
                        values);
         options::notify(values);
+        if (values.count("output") > 0 && line.output_folder.empty())
+          throw InputError("-o: expected a folder, got \"\". Name a folder, or leave -o out.");
       }
     catch (const options::unknown_option &error)
       {

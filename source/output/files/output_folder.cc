@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
 
 namespace vfife
 {
@@ -24,25 +25,30 @@ namespace vfife
   {
     namespace fs = std::filesystem;
 
-    /** What a user has to mend: why the path is none for a folder, or nothing. */
-    std::string judge(const std::string &path)
+    /** Why a folder cannot be used. */
+    struct FolderFault
+    {
+      std::string reason;          ///< empty: it can
+      bool        is_disk = false; ///< that is full or fails, not the user's to mend
+
+      /** What the system says. */
+      static FolderFault of(const std::error_code &error)
+      {
+        const int code = error.value();
+        return {error.message(), code == ENOSPC || code == EDQUOT || code == EIO};
+      }
+    };
+
+    FolderFault create(const std::string &path)
     {
       if (path.empty())
-        return "the output folder has no name";
+        return {"it has no name"};
       std::error_code error;
       if (fs::exists(path, error) && !fs::is_directory(path, error))
-        return "the output folder \"" + path +
-               "\" is a file; give another folder or remove the file";
-      return "";
-    }
-
-    /** Why the folder cannot be used, or nothing. */
-    std::string create(const std::string &path)
-    {
-      std::error_code error;
+        return {"it is a file"};
       fs::create_directories(path, error);
       if (error)
-        return "the output folder \"" + path + "\" cannot be created: " + error.message();
+        return FolderFault::of(error);
 
       // Permissions say less than trying: read-only file systems, full disks.
       const std::string probe = path + "/.vfife_is_writable";
@@ -50,10 +56,10 @@ namespace vfife
         std::ofstream file(probe);
         file << "x" << std::flush;
         if (!file)
-          return "the output folder \"" + path + "\" cannot be written to: " + std::strerror(errno);
+          return FolderFault::of({errno, std::generic_category()});
       }
       fs::remove(probe, error);
-      return "";
+      return {};
     }
 
     [[noreturn]] void refuse(const std::string &path)
@@ -61,16 +67,16 @@ namespace vfife
       throw std::runtime_error("cannot write \"" + path + "\": " + std::strerror(errno));
     }
 
-    /** Makes a folder on one rank and throws on all ranks what went wrong there. */
-    void create_on_root(const std::string &path, const Communicator &communicator)
+    /** Makes a folder on one rank; what all ranks return. */
+    FolderFault create_on_root(const std::string &path, const Communicator &communicator)
     {
-      // What a user can set right is told from what the disk refuses; either way on all ranks.
-      std::string reason = communicator.broadcast(communicator.is_root() ? judge(path) : "");
-      if (!reason.empty())
-        throw InputError("Study/output folder", reason);
-      reason = communicator.broadcast(communicator.is_root() ? create(path) : "");
-      if (!reason.empty())
-        throw std::runtime_error(reason);
+      const FolderFault fault = communicator.is_root() ? create(path) : FolderFault();
+      return {communicator.broadcast(fault.reason), communicator.any(fault.is_disk)};
+    }
+
+    [[noreturn]] void refuse_folder(const std::string &path, const FolderFault &fault)
+    {
+      throw std::runtime_error("cannot write to the folder \"" + path + "\": " + fault.reason);
     }
 
     /** All entries at or below @p section by path, "A/B/name"; @p before leads here, "A/". */
@@ -88,7 +94,13 @@ namespace vfife
     : path_(std::move(path))
     , communicator_(communicator)
   {
-    create_on_root(path_, communicator_);
+    const FolderFault fault = create_on_root(path_, communicator_);
+    if (fault.is_disk)
+      refuse_folder(path_, fault);
+    if (!fault.reason.empty())
+      throw InputError("Study/output folder",
+                       "expected a folder that can be written to, got \"" + path_ +
+                         "\": " + fault.reason + ". Name another folder.");
   }
 
   OutputFolder::OutputFolder(ResultKeeper &keeper, const Communicator &communicator)
@@ -150,8 +162,11 @@ namespace vfife
   void OutputFolder::make_subfolder(const std::string &name) const
   {
     list_file(name + "/");
-    if (is_on_disk())
-      create_on_root(file(name), communicator_);
+    if (!is_on_disk())
+      return;
+    const FolderFault fault = create_on_root(file(name), communicator_);
+    if (!fault.reason.empty())
+      refuse_folder(file(name), fault);
   }
 
   void OutputFolder::write_file(const std::string                         &name,
@@ -278,15 +293,27 @@ namespace vfife
     return log_file_ ? static_cast<std::size_t>(log_file_->tellp()) : 0;
   }
 
+  std::map<std::string, KeptEntry> read_kept_entries(const std::string &folder)
+  {
+    std::map<std::string, KeptEntry> kept;
+    std::ifstream                    file(folder + "/parameters.json");
+    const Json                       entries = Json::parse(file, nullptr, false);
+    const auto                       text = [](const Json &entry, const char *name) -> std::string {
+      return entry.contains(name) && entry[name].is_string() ? entry[name].get<std::string>() : "";
+    };
+    if (entries.is_object())
+      for (const auto &[path, entry] : entries.items())
+        if (entry.is_object())
+          kept[path] = {text(entry, "value"), text(entry, "unit"), text(entry, "digest")};
+    return kept;
+  }
+
   std::map<std::string, std::string> read_input_digests(const std::string &folder)
   {
     std::map<std::string, std::string> digests;
-    std::ifstream                      file(folder + "/parameters.json");
-    const Json                         entries = Json::parse(file, nullptr, false);
-    if (entries.is_object())
-      for (const auto &[path, entry] : entries.items())
-        if (entry.is_object() && entry.contains("digest") && entry["digest"].is_string())
-          digests[path] = entry["digest"].get<std::string>();
+    for (const auto &[path, entry] : read_kept_entries(folder))
+      if (!entry.digest.empty())
+        digests[path] = entry.digest;
     return digests;
   }
 } // namespace vfife

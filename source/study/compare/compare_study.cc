@@ -256,8 +256,15 @@ namespace vfife
                 "the case \"" + one.name +
                 "\" is not compared: no other case has comparable results for the kind " +
                 one.kind + ", or an earlier case of this kind is used");
+            else if (!one.lack.empty())
+              remarks.push_back(one.lack);
           if (rows.empty())
-            failure = "the cases have no results in common that can be compared";
+            {
+              failure = "the cases have no results in common that can be compared";
+              // There is no file for them.
+              for (const std::string &remark : remarks)
+                *failure += "\n  " + remark;
+            }
         }
       catch (const InputError &error)
         {

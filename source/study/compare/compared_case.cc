@@ -1,12 +1,17 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/case_sections.h>
+#include <vfife/base/errors.h>
 #include <vfife/base/parameters/file_names.h>
 #include <vfife/base/text/nearest_name.h>
+#include <vfife/base/text/quantity.h>
+#include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/run_figures.h>
 #include <vfife/output/files/table_reader.h>
 #include <vfife/study/compare/compared_case.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 namespace vfife
@@ -23,6 +28,40 @@ namespace vfife
       std::ostringstream text;
       text << name << " " << one.value << " and " << other.value << " " << one.unit;
       return text.str();
+    }
+
+    /** Whether the entry of that path makes another pair, which geometry.json does not show. */
+    bool makes_another_pair(const std::string &path)
+    {
+      const std::string pair = spiral_bevel_section;
+      const auto        ends = [&path](const std::string &name) {
+        return path.size() > name.size() &&
+               path.compare(path.size() - name.size(), name.size(), name) == 0;
+      };
+      if (path.rfind(pair + "/Mounting/", 0) == 0)
+        return !ends("/shaft angle") && !ends("/backlash");
+      return path.rfind(pair + "/Errors/", 0) == 0 ||
+             (path.rfind(pair + "/", 0) == 0 && (ends("/tip chamfer") || ends("/temperature")));
+    }
+
+    /** As describe_difference(); of formulas and names the texts. */
+    std::string
+    describe_entries(const std::string &path, const KeptEntry &one, const KeptEntry &other)
+    {
+      // Files are what they say, wherever they are.
+      if (one.digest.empty() ? one.value == other.value : one.digest == other.digest)
+        return "";
+      const auto figure = [&one](const std::string &text) {
+        return Figure{read_quantity(text, one.unit).in(find_unit(one.unit)), one.unit};
+      };
+      try
+        {
+          return describe_difference(path, figure(one.value), figure(other.value));
+        }
+      catch (const InputError &)
+        {
+          return path + " \"" + one.value + "\" and \"" + other.value + "\"";
+        }
     }
   } // namespace
 
@@ -49,19 +88,26 @@ namespace vfife
     const ComparedCase      *first = nullptr;
     NamedFigures             known;
     std::vector<std::string> sentences;
+    // Of the first case, as those known.
+    std::map<std::string, KeptEntry> known_entries;
     for (const ComparedCase &one : cases)
       {
         const NamedFigures geometry = read_geometry(one.folder);
         if (first == nullptr && !geometry.empty())
           {
-            first = &one;
-            known = geometry;
+            first         = &one;
+            known         = geometry;
+            known_entries = read_kept_entries(one.folder);
           }
         std::vector<std::string> differing;
         for (const auto &[name, figure] : geometry)
           for (const auto &[other_name, other] : known)
             if (name == other_name)
               differing.push_back(describe_difference(name, figure, other));
+        for (const auto &[path, entry] : read_kept_entries(one.folder))
+          if (const auto other = known_entries.find(path);
+              other != known_entries.end() && makes_another_pair(path))
+            differing.push_back(describe_entries(path, entry, other->second));
         differing.erase(std::remove(differing.begin(), differing.end(), ""), differing.end());
         if (differing.empty())
           continue;

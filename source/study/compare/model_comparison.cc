@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/sample_measures.h>
 #include <vfife/base/text/column_names.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/base/text/table.h>
 #include <vfife/study/compare/model_comparison.h>
 #include <vfife/study/compare/nearest_mode.h>
@@ -208,8 +209,9 @@ namespace vfife
             table.numbers(column::frequency)[i] > 0)
           modes.push_back(table.numbers(column::frequency)[i]);
       const std::vector<double> &time = history.numbers(column::time);
-      if (modes.empty() || time.size() < 8)
+      if (modes.empty() || time.empty())
         return;
+      const std::size_t n_before = rows.size();
       // Above the highest mode that is known a line has nothing to stand beside; a tenth more shows
       // one that comes out too high.
       const double highest = 1.1 * *std::max_element(modes.begin(), modes.end());
@@ -238,6 +240,17 @@ namespace vfife
                                               modes,
                                               tolerances.frequency));
         }
+      if (rows.size() == n_before)
+        run.lack = sentence_of(4,
+                               "the record of the case \"",
+                               run.name,
+                               "\", ",
+                               time.size(),
+                               " samples in ",
+                               1e3 * (time.back() - time.front()),
+                               " ms, has no line of a spectrum up to ",
+                               highest,
+                               " Hz at any probe. Extend the run, or add a probe");
     }
   } // namespace
 

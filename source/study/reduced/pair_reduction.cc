@@ -114,18 +114,8 @@ namespace vfife
        * which takes long. */
       void require_writable() const
       {
-        if (folder_.empty())
-          return;
-        try
-          {
-            const OutputFolder folder(folder_, communicator_);
-          }
-        catch (const std::runtime_error &error)
-          {
-            throw InputError(entry,
-                             "expected a folder that can be written to, got \"" + folder_ +
-                               "\": " + error.what() + ". Name another folder.");
-          }
+        if (!folder_.empty())
+          make_folder();
       }
 
       /** Keeps it. Throws std::runtime_error where the disk does not take it. */
@@ -133,7 +123,7 @@ namespace vfife
       {
         if (folder_.empty())
           return;
-        const OutputFolder folder(folder_, communicator_);
+        const OutputFolder folder = make_folder();
         if (!folder.is_writer())
           return;
         ByteStream stream;
@@ -144,6 +134,11 @@ namespace vfife
       }
 
     private:
+      OutputFolder make_folder() const
+      {
+        return for_entry(entry, [this] { return OutputFolder(folder_, communicator_); });
+      }
+
       std::string         folder_;
       const Communicator &communicator_;
       Log                &log_;

@@ -83,9 +83,11 @@ namespace vfife
     const double size = std::abs(difference.value), both = first.error + second.error;
     if (!std::isfinite(size) || !std::isfinite(both) || !std::isfinite(difference.error))
       return Verdict::not_known;
-    if (size > both)
-      return Verdict::significant;
-    return size > difference.error ? Verdict::sign_significant : Verdict::not_significant;
+    constexpr double round_off = 1e-9;
+    const double     least = round_off * std::max(std::abs(first.value), std::abs(second.value));
+    if (!(size > difference.error) || !(size > least))
+      return Verdict::not_significant;
+    return size > both ? Verdict::significant : Verdict::sign_significant;
   }
 
   ErrorTables make_error_tables(const std::vector<std::string> &numerical_parameters)

@@ -2,6 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/sample_measures.h>
 #include <vfife/base/text/column_names.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/base/text/former_result_names.h>
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/base/text/quantity.h>
@@ -196,6 +197,24 @@ namespace vfife
       return not_known;
     }
 
+    /** Why compute_value() finds no number in the column. */
+    std::string describe_lack(const FigureValue value, const Numbers &column)
+    {
+      if (!std::all_of(column.begin(), column.end(), [](const double x) {
+            return std::isfinite(x);
+          }))
+        return "the column has values that are no numbers";
+      switch (value)
+        {
+        case FigureValue::zero_crossing_rate:
+          return "the column crosses zero less than twice";
+        case FigureValue::mean_above_half:
+          return "the column has no positive value";
+        default: // FigureValue::change
+          return "the first value of the column is zero";
+        }
+    }
+
     /** By the names of their files. */
     const Choices<FigureTable> &figure_table_choices()
     {
@@ -317,7 +336,7 @@ namespace vfife
            table == FigureTable::stress_response;
   }
 
-  Figure HistoryFigure::compute(const Table &history) const
+  FoundFigure HistoryFigure::compute(const Table &history) const
   {
     std::vector<std::string> names;
     for (const Table::Column &one : history.columns())
@@ -340,17 +359,28 @@ namespace vfife
         : std::lower_bound(all_times.begin(), all_times.end(), from) - all_times.begin();
     const Numbers time(all_times.begin() + first, all_times.end()),
       samples(all.begin() + first, all.end());
+    const auto none = [&unit](const std::string &fault) -> FoundFigure {
+      return {{not_known, unit}, fault};
+    };
+    const auto found = [&](const double number) -> FoundFigure {
+      return std::isfinite(number) ? FoundFigure{{number, unit}, ""}
+                                   : none(describe_lack(value, samples));
+    };
+    if (all.empty())
+      return none(file() + " has no rows");
     if (samples.empty())
-      return {not_known, unit};
+      return none(sentence_of(
+        4, "no samples from ", from, " s on; the record ends at ", all_times.back(), " s"));
     const OfMeshes value_of_meshes = find_value_of_meshes(value);
     if (value_of_meshes == nullptr)
-      return {compute_value(value, time, samples), unit};
-    if (samples.size() < 2)
-      return {not_known, unit};
-    const double frequency = find(column::mesh_frequency).back();
-    const auto   meshes =
-      fold_meshes(samples, frequency * (time.back() - time.front()) / (time.size() - 1));
-    return {meshes.empty() ? not_known : value_of_meshes(meshes), unit};
+      return found(compute_value(value, time, samples));
+    std::vector<Numbers> meshes;
+    if (samples.size() > 1)
+      meshes = fold_meshes(samples,
+                           find(column::mesh_frequency).back() * (time.back() - time.front()) /
+                             (time.size() - 1));
+    return meshes.empty() ? none("the samples have less than two mesh cycles")
+                          : found(value_of_meshes(meshes));
   }
 
   double HistoryFigure::compute_error(const double number) const

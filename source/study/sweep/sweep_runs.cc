@@ -6,6 +6,7 @@
 #include <vfife/base/text/number_text.h>
 #include <vfife/output/files/result_places.h>
 #include <vfife/output/files/run_figures.h>
+#include <vfife/study/case_runner.h>
 #include <vfife/study/sweep/refinement.h>
 #include <vfife/study/sweep/sweep_runs.h>
 
@@ -24,6 +25,23 @@ namespace vfife
       for (std::string one; std::getline(in, one, separator);)
         list.push_back(trimmed(one));
       return list;
+    }
+
+    /** Whether finer values of an entry are larger, 1, or smaller, -1; 0 where that is not known.
+     */
+    int find_finer(const std::string &entry, const CaseFile &file)
+    {
+      for (const std::string ending : {"element size", "time step factor"})
+        if (entry.size() > ending.size() &&
+            entry.compare(entry.size() - ending.size(), ending.size(), ending) == 0)
+          return -1;
+      return file.is_count(entry) ? 1 : 0;
+    }
+
+    /** Whether two values of an entry are the same, however they are written. */
+    bool are_equal(const std::string &a, const std::string &b)
+    {
+      return a == b || compute_log_ratio(a, b) == 0;
     }
   } // namespace
 
@@ -131,6 +149,12 @@ namespace vfife
           throw InputError(section + "/entry", "the entry to vary is missing");
         if (values.empty() || std::count(values.begin(), values.end(), "") > 0)
           throw InputError(section + "/values", "a value is missing");
+        for (const std::string &entry : entries)
+          if (const SweepParameter *other = find_parameter(entry); other != &parameter)
+            throw InputError(section + "/entry",
+                             "expected an entry that no other parameter sets, got \"" + entry +
+                               "\", which Sweep/Parameter " + other->name +
+                               " sets. Remove it from one of them.");
         for (const std::string &value : values)
           if (parameter.list_parts(value).size() != entries.size())
             throw InputError(section + "/values",
@@ -146,6 +170,51 @@ namespace vfife
                            "expected " + std::to_string(n) + " values as for \"" + first->name +
                              "\" (combination = list), got " + std::to_string(values.size()));
       }
+    check_repetition();
+  }
+
+  void SweepRuns::check_repetition() const
+  {
+    const std::vector<Values> runs = list();
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (std::equal(runs[i].begin(), runs[i].end(), runs[j].begin(), are_equal))
+          throw InputError("Sweep/parameters",
+                           "expected different runs, got " + folder_of(j) + " and " + folder_of(i) +
+                             " both with " + describe(runs[i]) + ". Remove one of the values.");
+  }
+
+  void SweepRuns::check_order(const CaseFile &file) const
+  {
+    for (const SweepParameter &parameter : parameters)
+      {
+        if (!is_numerical(parameter))
+          continue;
+        const std::vector<std::string> entries = parameter.list_entries(),
+                                       values  = parameter.list_values();
+        for (std::size_t k = 1; k < values.size(); ++k)
+          {
+            const std::vector<std::string> before = parameter.list_parts(values[k - 1]),
+                                           now    = parameter.list_parts(values[k]);
+            for (std::size_t i = 0; i < entries.size(); ++i)
+              if (find_finer(entries[i], file) * compute_log_ratio(now[i], before[i]) < 0)
+                throw InputError("Sweep/Parameter " + parameter.name + "/values",
+                                 "expected values from coarse to fine, got \"" + values[k - 1] +
+                                   "\" before \"" + values[k] +
+                                   "\". Sort the values, the finest at the end.");
+          }
+      }
+  }
+
+  const SweepParameter *SweepRuns::find_parameter(const std::string &entry) const
+  {
+    for (const SweepParameter &parameter : parameters)
+      {
+        const std::vector<std::string> entries = parameter.list_entries();
+        if (std::count(entries.begin(), entries.end(), entry) > 0)
+          return &parameter;
+      }
+    return nullptr;
   }
 
   std::vector<SweepRuns::Values> SweepRuns::list_combinations() const

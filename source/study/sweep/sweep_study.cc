@@ -143,9 +143,8 @@ namespace vfife
   CommandLine SweepStudy::command_line(const SweepRuns::Values &values) const
   {
     CommandLine line;
-    line.parameter_file = base_;
-    line.overrides      = split_entries(entries_, "Sweep/entries");
-    // The swept value comes last: it wins over the entries that all runs share.
+    line.parameter_file                  = base_;
+    line.overrides                       = split_entries(entries_, "Sweep/entries");
     const std::vector<std::string> swept = runs_.list_overrides(values);
     line.overrides.insert(line.overrides.end(), swept.begin(), swept.end());
     return line;
@@ -166,11 +165,20 @@ namespace vfife
                            "\" has neither coupled modes (coupled_modes.csv) nor a sweep of speeds "
                            "(resonance.csv)");
     // All runs are read before the first one begins: the last must not fail by a word after days.
-    split_entries(entries_, "Sweep/entries");
+    for (const std::string &text : split_entries(entries_, "Sweep/entries"))
+      {
+        const std::string entry = text.substr(0, text.find('='));
+        if (const SweepParameter *parameter = runs_.find_parameter(entry))
+          throw InputError("Sweep/entries",
+                           "expected entries that no parameter sets, got \"" + entry +
+                             "\", which Sweep/Parameter " + parameter->name +
+                             " sets. Remove it from one of them.");
+      }
+    CaseFile file;
     for (const SweepRuns::Values &values : runs_.list())
       try
         {
-          runner_.read(command_line(values));
+          file = runner_.check(command_line(values));
         }
       catch (const InputError &error)
         {
@@ -178,6 +186,7 @@ namespace vfife
           const std::string entry   = runs_.find_cause(error.what());
           throw entry.empty() ? InputError(message) : InputError(entry, message);
         }
+    runs_.check_order(file);
   }
 
   void SweepStudy::inspect(Communicator &communicator, Log &log)

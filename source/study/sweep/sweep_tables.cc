@@ -29,8 +29,13 @@ namespace vfife
         if (!folders[i].empty())
           try
             {
-              numbers[i] = figure.compute(read_result_table(folders[i] + "/" + figure.file()));
-              unit       = numbers[i].unit;
+              const FoundFigure found =
+                figure.compute(read_result_table(folders[i] + "/" + figure.file()));
+              numbers[i] = found;
+              unit       = found.unit;
+              if (!found.fault.empty())
+                log.warning(
+                  SweepRuns::folder_of(i), ": figure \"", figure.name, "\": ", found.fault);
             }
           catch (const InputError &error)
             {
@@ -134,10 +139,16 @@ namespace vfife
     if (!folder.is_writer())
       return;
     const std::vector<NamedFigures> all = read_figures(folder, reports, log);
-    // Figures that no run has are left out.
+    // Figures that no run has are left out, but not those that the sweep asks for.
+    const auto is_asked = [this](const std::string &name) {
+      return std::any_of(figures.begin(), figures.end(), [&name](const HistoryFigure &figure) {
+        return figure.name == name;
+      });
+    };
     std::vector<std::size_t> known;
     for (std::size_t f = 0; f < all.front().size(); ++f)
-      if (std::any_of(all.begin(), all.end(), [f](const NamedFigures &run) {
+      if (is_asked(all.front()[f].first) ||
+          std::any_of(all.begin(), all.end(), [f](const NamedFigures &run) {
             return std::isfinite(run[f].second.value);
           }))
         known.push_back(f);

@@ -266,6 +266,26 @@ void other_pairs()
         << std::setprecision(12) << thickness << R"(, "unit": "mm"}}})";
       cases.push_back({name, folder, "run", true});
     }
+  // With the geometry of the first one.
+  const auto write_entries = [](const std::string &folder, const char *chamfer, const char *heat) {
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder + "/parameters.json")
+      << R"({"Gear pair/Gear/tip chamfer": {"value": ")" << chamfer << R"(", "unit": "mm"},)"
+      << R"("Gear pair/Gear/temperature": {"value": ")" << heat << R"(", "unit": "K"},)"
+      << R"("Gear pair/mesh": {"value": ")" << folder << R"(", "unit": ""}})";
+  };
+  write_entries("compare_of_thin", "0.3", "0");
+  for (const auto &[name, chamfer, heat] : {std::make_tuple("written otherwise", "300 um", "0 K"),
+                                            std::make_tuple("chamfered", "0.5 mm", "0"),
+                                            std::make_tuple("hot", "0.3 mm", "10 + x")})
+    {
+      const std::string folder = std::string("compare_of_") + name;
+      write_entries(folder, chamfer, heat);
+      std::filesystem::copy_file("compare_of_thin/geometry.json",
+                                 folder + "/geometry.json",
+                                 std::filesystem::copy_options::overwrite_existing);
+      cases.push_back({name, folder, "run", true});
+    }
   cases.push_back({"no gears", ".", "run", false});
   for (const std::string &sentence : list_other_pairs(cases))
     std::cout << sentence << std::endl;

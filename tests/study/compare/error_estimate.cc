@@ -132,6 +132,10 @@ void verdicts()
   show_verdict("other errors", both({9, 9, 9, 9, 9.5}));
   show_verdict("a run failed", both({31, missing, 29.5, 28.5, 28}));
   show_verdict("two runs failed", both({missing, missing, 29.5, 28.5, 28}));
+  // By mesh of order 2 and of order 1; the difference, 12, 6, 5, has no order.
+  show_verdict("less than its own error", {110, 102, 100, 100, 100, 98, 96, 95, 95, 95});
+  const double more = 20 + std::ldexp(1., -36);
+  show_verdict("round-off", {20, 20, 20, 20, 20, more, more, more, more, more});
   show_verdict("the variant failed", both({31, 29, 29.5, 28.5, missing}));
 }
 

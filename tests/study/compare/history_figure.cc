@@ -96,6 +96,14 @@ void single_values()
   taken(FigureValue::zero_crossing_rate, "Hz", .5 * 2 / (4.45 - 8. / 18));
 }
 
+/** Why there is no number. */
+void show_lack(const HistoryFigure &figure, const Table &table)
+{
+  const FoundFigure found = figure.compute(table);
+  check("no number", std::isnan(found.value));
+  std::cout << found.fault << std::endl;
+}
+
 /** A pulse that the end of the record cuts off: above half of 8 from 1.5 s on. */
 void cut_off()
 {
@@ -180,11 +188,29 @@ void shares_of_meshes()
   check_close("peak to peak of the mean mesh cycle", figure.compute(table).value, 6., 1e-9);
   check("its unit", figure.compute(table).unit == "N");
   figure.from = 8.5;
-  check("less than two meshes", std::isnan(figure.compute(table).value));
+  show_lack(figure, table);
   figure.value = FigureValue::first;
   check_close("first from a time on", figure.compute(table).value, table.numbers("force")[850], 0);
   figure.from = 11;
-  check("nothing behind the end", std::isnan(figure.compute(table).value));
+  show_lack(figure, table);
+}
+
+/** Records that have no such number. */
+void lacks()
+{
+  const Table   table = make_history();
+  HistoryFigure figure;
+  figure.column = "force";
+  figure.value  = FigureValue::change;
+  show_lack(figure, table);
+  figure.value = FigureValue::zero_crossing_rate;
+  figure.from  = 5;
+  show_lack(figure, table);
+  figure.value = FigureValue::mean_above_half;
+  figure.from  = 7.5;
+  show_lack(figure, table);
+  figure.value = FigureValue::largest;
+  check("a number has no fault", figure.compute(table).fault.empty());
 }
 
 /** Half a newton more each mesh, of which a straight rise adds nothing within one, beside a
@@ -263,6 +289,7 @@ int main()
   over_speed();
   shares_of_meshes();
   trend();
+  lacks();
   words();
   orders();
   HistoryFigure figure;

@@ -48,9 +48,11 @@ void write_numerical_case()
        "  set entries = Output/verbosity=quiet\n"
        "  set parameters = cells, limit\n"
        "  set numerical parameters = cells\n"
-       "  set figures = way\n"
+       "  set figures = way, late\n"
        "  subsection Figure way\n    set column = behind displacement x\n"
        "    set reference = 0.049\n  end\n"
+       "  subsection Figure late\n    set column = behind displacement x\n"
+       "    set from = 1 s\n  end\n"
        "  subsection Parameter cells\n"
        "    set entry  = Model/Body flying/elements x; Model/Body resting/elements x\n"
        "    set values = 10 | 10, 20 | 20, 40 | 40\n  end\n"
@@ -97,15 +99,20 @@ void numerical()
     words.insert(words.end(), more.begin(), more.end());
     return run_program(words);
   };
-  check("numerical: a variant fails", run({}).exit_code == 2);
+  const Ending ending = run({});
+  check("numerical: a variant fails", ending.exit_code == 2);
+  check("no samples: a warning for each run",
+        has_text(ending.text, "run_01: figure \"late\": no samples from 1 s on; the record ends") &&
+          has_text(ending.text, "run_03: figure \"late\": no samples"));
   show_table("numerical");
   const vfife::Table table = vfife::read_result_table("numerical/sweep.csv"),
                      bars  = vfife::read_result_table("numerical/error_bars.csv"),
                      pairs = vfife::read_result_table("numerical/differences.csv");
-  const auto       &way    = table.numbers("way");
-  const auto       &names  = bars.column("quantity").texts;
-  const std::size_t row    = std::find(names.begin(), names.end(), "way") - names.begin();
-  const auto        text   = [&bars, row](const char *name, const std::size_t next) {
+  check("no samples: an empty column", std::isnan(table.numbers("late")[0]));
+  const auto       &way   = table.numbers("way");
+  const auto       &names = bars.column("quantity").texts;
+  const std::size_t row   = std::find(names.begin(), names.end(), "way") - names.begin();
+  const auto        text  = [&bars, row](const char *name, const std::size_t next) {
     return bars.column(name).texts[row + next];
   };
   check_close("value: of the finest", bars.numbers("value")[row], way[2], 0);
@@ -132,6 +139,19 @@ void numerical()
   show("twice", run({"--set", "Sweep/numerical parameters=cells, cells"}));
   show("one value", run({"--set", "Sweep/Parameter cells/values=10 | 10"}));
   show("a value for one entry of two", run({"--set", "Sweep/Parameter cells/values=10 | 10, 20"}));
+  show("from fine to coarse", run({"--set", "Sweep/Parameter cells/values=40 | 40, 20 | 20"}));
+  show("a size that grows",
+       run({"--set",
+            "Sweep/Parameter cells/entry=Dynamics/time step factor",
+            "--set",
+            "Sweep/Parameter cells/values=0.4, 0.8"}));
+  show("the same cells twice",
+       run({"--set", "Sweep/Parameter cells/values=10 | 10, 20 | 20, 20 | 20"}));
+  show("the same number twice", run({"--set", "Sweep/Parameter limit/values=0.1, 1e-1"}));
+  show("an entry of two parameters",
+       run({"--set", "Sweep/Parameter limit/entry=Model/Body resting/elements x"}));
+  show("an entry of all runs and of a parameter",
+       run({"--set", "Sweep/entries=Model/Body flying/elements x = 5"}));
   show("two sizes", run({"--set", "Sweep/Parameter cells/relative element sizes=2, 1"}));
   show("sizes that grow", run({"--set", "Sweep/Parameter cells/relative element sizes=1, 2, 4"}));
   show("sizes of another parameter",
@@ -140,9 +160,26 @@ void numerical()
        run({"--set", "Sweep/Parameter cells/relative element sizes=3, 2, 1", "--check"}));
 }
 
+/** The second run's gear cannot be made: the first one does not begin. */
+void gears()
+{
+  std::ofstream("chamfers.prm") << "subsection Study\n  set kind = sweep\nend\n"
+                                   "subsection Sweep\n  set base = "
+                                << tree_folder()
+                                << "/prm/gear/paper_tca.prm\n  set parameters = chamfer\n"
+                                   "  subsection Parameter chamfer\n"
+                                   "    set entry  = Gear pair/Gear/tip chamfer\n"
+                                   "    set values = 0.1 mm, 0.9 mm\n  end\nend\n";
+  const Ending ending = run_program({program_file(), "chamfers.prm", "-o", "chamfers"});
+  check("gears of all runs are made before the first one begins",
+        ending.exit_code == 1 && has_text(ending.text, "(Sweep/Parameter chamfer/values)") &&
+          has_text(ending.text, "run with chamfer = 0.9 mm") &&
+          has_text(ending.text, "expected at most 0.73 mm") && !fs::exists("chamfers"));
+}
+
 int main()
 {
-  for (const char *folder : {"all", "list", "two_ranks", "modes", "numerical"})
+  for (const char *folder : {"all", "list", "two_ranks", "modes", "numerical", "chamfers"})
     fs::remove_all(folder);
   fs::create_directory("modes");
   std::ofstream("modes/coupled_modes.csv") << "axes,frequency [Hz]\nstanding,923\n";
@@ -255,5 +292,6 @@ int main()
                  "has neither coupled modes"));
   show("nothing to vary", sweep("list", {"--set", "Sweep/parameters="}));
   numerical();
+  gears();
   return 0;
 }

@@ -226,6 +226,8 @@ void report_full_disk()
   fs::create_symlink("/dev/full", "full/fields/00000.vtu.part");
   show("full disk, fields", run_program(command("full")));
   show("no folder can be made", run_program(command("/proc/results")));
+  show("a file, by the entry",
+       run_program({program_file(), "bars.prm", "--set", "Study/output folder=bars.prm"}));
 }
 
 int main()

@@ -103,6 +103,9 @@ namespace vfife
    * which files of earlier versions have, is the word of Range::or_word(). */
   std::string text_in_force(const std::string &pattern, const std::string &text);
 
+  /** Whether an entry of this @p pattern is a whole number (or a word instead of one). */
+  bool is_whole_number(const std::string &pattern);
+
   /** What a description says of a unit and a range: "meaning (words) [unit]". */
   std::string
   describe_quantity(const std::string &meaning, const std::string &unit, const Range &range);

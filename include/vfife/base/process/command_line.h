@@ -24,9 +24,10 @@ namespace vfife
 
   /**
    * Reads the arguments of main().
-   * @throws InputError for an unknown option (with the nearest known one), a missing value, no
-   * parameter file or several of them. With --restart an argument that is a folder is the output
-   * folder, and without a parameter file the one that the run has left there is taken.
+   * @throws InputError for an unknown option (with the nearest known one), a missing value, an
+   * empty output folder, no parameter file or several of them. With --restart an argument that is a
+   * folder is the output folder, and without a parameter file the one that the run has left there
+   * is taken.
    */
   CommandLine parse_command_line(int argc, const char *const *argv);
 

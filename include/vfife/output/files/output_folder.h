@@ -44,7 +44,7 @@ namespace vfife
   public:
     /**
      * Creates the folder where it does not exist (collective). Throws on all ranks: InputError when
-     * the path is a file, std::runtime_error when it cannot be created or written to.
+     * it cannot be created or written to, std::runtime_error when the disk is full or fails.
      */
     OutputFolder(std::string path, const Communicator &communicator);
     /** No folder: @p keeper, which must outlive this, takes all files, and nothing is written. What
@@ -151,6 +151,17 @@ namespace vfife
     std::vector<std::string>                         set_parameters_;
     std::string                                      parameter_file_;
   };
+
+  /** An entry in force, of parameters.json. */
+  struct KeptEntry
+  {
+    std::string value;
+    std::string unit;   ///< of a bare number
+    std::string digest; ///< of the content of the file that it names; empty where it names none
+  };
+
+  /** Those of a folder of results by their paths ("A/B/name"); empty where it has none. */
+  std::map<std::string, KeptEntry> read_kept_entries(const std::string &folder);
 
   /** The digests of files that OutputFolder::write_parameters() has kept in @p folder, by entry;
    * none where earlier versions of the program have written there. */

@@ -18,6 +18,8 @@ namespace vfife
 
     /** Whether anything of its results has been read. */
     mutable bool is_read = false;
+    /** Why what has been read makes no row, a sentence; empty where it does. */
+    mutable std::string lack = "";
 
     bool has(const std::string &file) const;
     /** A .csv file; throws InputError where it cannot be read. */
@@ -28,7 +30,8 @@ namespace vfife
 
   using ComparedCases = std::vector<ComparedCase>;
 
-  /** A sentence for each case whose geometry is not that of the first case that states one. */
+  /** A sentence for each case whose geometry, errors, chamfers or temperatures are not those of the
+   * first case that states a geometry. */
   std::vector<std::string> list_other_pairs(const ComparedCases &cases);
 
   /** The first case of a kind that has a file, or nullptr. */

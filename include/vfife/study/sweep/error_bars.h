@@ -50,15 +50,16 @@ namespace vfife
   /** Whether two variants differ by more than their errors. */
   enum class Verdict
   {
-    significant,      ///< the difference is larger than the sum of both errors
-    sign_significant, ///< than the error of the difference alone: which one is larger is known
-    not_significant,  ///< neither
+    significant,      ///< the difference is larger than its error and than the sum of both errors
+    sign_significant, ///< than its error alone: which one is larger is known
+    not_significant,  ///< neither, or no more than round-off
     not_known         ///< a value or an error is missing
   };
 
   /** "significant", "sign significant", "not significant", "not known". */
   std::string word_for(Verdict verdict);
 
+  /** Up to 1e-9 of the larger value a difference is round-off, also where both errors are zero. */
   Verdict
   judge_difference(const ErrorBar &first, const ErrorBar &second, const ErrorBar &difference);
 

@@ -46,6 +46,12 @@ namespace vfife
     stress_response ///< stress_response.csv: rows of several places at a speed
   };
 
+  /** A number of a history, with its unit also where it is not known. */
+  struct FoundFigure : Figure
+  {
+    std::string fault; ///< why the number is not known; empty where it is
+  };
+
   /** A number that is taken of the history of a run, or of its response over speed, and what it
    * should be. */
   struct HistoryFigure
@@ -72,7 +78,7 @@ namespace vfife
      * The number with its unit, of the file's table.
      * @throws InputError where it has no such column, with the nearest name.
      */
-    Figure compute(const Table &history) const;
+    FoundFigure compute(const Table &history) const;
 
     /** (value - reference)/reference, or the value where the reference is 0; NaN without one. */
     double compute_error(double value) const;

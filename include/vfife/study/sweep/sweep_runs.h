@@ -11,6 +11,8 @@
 
 namespace vfife
 {
+  struct CaseFile;
+
   /** One entry of a case, or several that change together, and the values that a sweep gives them,
    * as texts. */
   struct SweepParameter
@@ -51,6 +53,12 @@ namespace vfife
 
     /** Throws InputError. */
     void check() const;
+    /** Throws InputError for numerical parameters that do not go from coarse to fine: whole numbers
+     * that fall, sizes of elements and factors of the time step that rise. Which way others go is
+     * not known. @param file of any run */
+    void check_order(const CaseFile &file) const;
+    /** The first parameter that sets the entry, or nullptr. */
+    const SweepParameter *find_parameter(const std::string &entry) const;
 
     /** Each combination after the runs that differ from it in one numerical parameter. */
     std::vector<Values> list() const;
@@ -70,6 +78,8 @@ namespace vfife
 
   private:
     void check_numerical() const;
+    /** Two runs that are the same. */
+    void check_repetition() const;
     bool is_numerical(const SweepParameter &parameter) const;
     /** All combinations of the physical parameters, the numerical ones at their last values. */
     std::vector<Values> list_combinations() const;

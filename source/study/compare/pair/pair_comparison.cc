@@ -129,7 +129,7 @@ namespace vfife
 
       ComparisonRow row{
         "mean dte", "arcsec", run.steady_mean(column::dte), mean_of(curve), "FEM", {}, ""};
-      row.reason = "loaded contact analysis of the same mesh and penalty, mean over " +
+      row.reason = "loaded contact analysis at rest, mean over " +
                    std::to_string(positions.size()) + " positions";
       run.judge_slow(run.tolerances.error * std::abs(row.reference), row);
       rows.push_back(row);
@@ -288,7 +288,7 @@ namespace vfife
       run = reduced;
     if (run == nullptr || !run->is_pair)
       return rows;
-    // Each reference that there is, from the strongest (same mesh and contact) to a second opinion.
+    // Each reference that there is, from the strongest (the pair at rest) to a second opinion.
     const PairRun             pair(*run, tolerances);
     const std::string         analysis = "loaded tooth contact analysis";
     const ComparedCase *const loaded   = find_case(cases, analysis, "loaded_contact.csv");
