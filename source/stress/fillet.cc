@@ -35,7 +35,8 @@ namespace vfife
       {
       }
 
-      /** Profiles of nodes from toe to heel, each from the root land up. */
+      /** Profiles of nodes from toe to heel, each from the root land up. Throws InputError where
+       * fillet and flank do not meet at the toe. */
       std::vector<std::vector<unsigned int>> find_profiles() const
       {
         std::vector<std::vector<unsigned int>> profiles;
@@ -130,9 +131,13 @@ namespace vfife
 
       Edge find_first_edge() const
       {
-        Edge edge;
-        find_edge([this](const unsigned int from, unsigned int) { return contains(toe_, from); },
-                  edge);
+        Edge       edge;
+        const auto at_toe = [this](const unsigned int from, unsigned int) {
+          return contains(toe_, from);
+        };
+        if (!find_edge(at_toe, edge))
+          throw InputError("expected an edge between fillet and flank at the node set \"toe\", "
+                           "got none. Let the set have the end of the flank.");
         return edge;
       }
 

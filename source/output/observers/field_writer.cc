@@ -292,17 +292,21 @@ namespace vfife
   {
     if (!folder_.is_writer())
       return;
-    if (format_ == FieldFormat::vtu)
-      return folder_.write_file("fields.pvd", [&](std::ostream &out) {
-        dealii::DataOutBase::write_pvd_record(out, instants_);
-      });
-    std::vector<double> times;
-    for (const auto &instant : instants_)
-      times.push_back(instant.first);
-    folder_.write_file("fields.xdmf", [&](std::ostream &out) {
-      out.precision(12);
-      write_xdmf(out, hdf5_name, make_grid(), n_nodes_, n_elements_, times);
-    });
+    switch (format_)
+      {
+      case FieldFormat::vtu:
+        return folder_.write_file("fields.pvd", [&](std::ostream &out) {
+          dealii::DataOutBase::write_pvd_record(out, instants_);
+        });
+      case FieldFormat::hdf5:
+        std::vector<double> times;
+        for (const auto &instant : instants_)
+          times.push_back(instant.first);
+        return folder_.write_file("fields.xdmf", [&](std::ostream &out) {
+          out.precision(12);
+          write_xdmf(out, hdf5_name, make_grid(), n_nodes_, n_elements_, times);
+        });
+      }
   }
 
   void FieldWriter::observe(const Model &model, const State &state)
@@ -322,10 +326,12 @@ namespace vfife
     const Communicator &communicator = folder_.communicator();
     const auto          motions      = compute_body_motions(model, state, communicator);
     const GridPart      part         = fill_part(model, state, motions, stresses, contact_areas_);
-    if (format_ == FieldFormat::vtu)
-      instants_.emplace_back(state.time, write_vtu_files(part.grid, state.time));
-    else
+    switch (format_)
       {
+      case FieldFormat::vtu:
+        instants_.emplace_back(state.time, write_vtu_files(part.grid, state.time));
+        break;
+      case FieldFormat::hdf5:
         const VtuGrid grid = join_parts(part, state.partition->elements, communicator);
         if (folder_.is_writer())
           {
@@ -333,6 +339,7 @@ namespace vfife
             write_hdf5_instant(folder_.file(hdf5_name), grid, instants_.size(), state.time);
           }
         instants_.emplace_back(state.time, hdf5_name);
+        break;
       }
     write_list();
   }
