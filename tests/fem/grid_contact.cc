@@ -432,19 +432,40 @@ void check_chamfer_layer()
   };
   double sum = 0.;
   for (const auto &element : layer.elements)
-    {
-      check("layer beyond a chamfer: no element is folded", volume(element) > 0.);
-      sum += volume(element);
-    }
+    sum += volume(element);
+  check("layer beyond a chamfer: no element is folded", !layer.is_folded(0));
   // Three rows as wide as the element under the surface, below the chamfer and the end beside it.
   check_close("layer beyond a chamfer: volume",
               sum - volume(layer.elements[0]) - volume(layer.elements[1]),
               3.,
               1e-12);
+  double wrong = 0.;
   for (std::size_t p = 12; p < layer.points.size(); ++p)
-    check("layer beyond a chamfer: steps along the surface",
-          std::abs(std::remainder(layer.points[p][0], 1.)) < 1e-12 ||
-            std::abs(std::remainder(layer.points[p][0] - .4, 1.)) < 1e-12);
+    raise_to(wrong,
+             std::min(std::abs(std::remainder(layer.points[p][0], 1.)),
+                      std::abs(std::remainder(layer.points[p][0] - .4, 1.))));
+  check_below("layer beyond a chamfer: steps along the surface", wrong, 1e-12);
+}
+
+/** Beyond the end of a wedge, whose lines meet within the length, all points go on alike. */
+void check_converging_layer()
+{
+  LayerElements layer;
+  for (const double z : {0., 1.})
+    for (const double y : {-1., 1.})
+      for (const double x : {0., 1.})
+        {
+          layer.points.emplace_back(x, y * (1. - .4 * x), z);
+          layer.held.push_back(z == 1.);
+        }
+  layer.elements = {{0, 1, 2, 3, 4, 5, 6, 7}};
+  layer.continue_beyond({{{1, 3}}}, {0, 1, 2, 3}, 3.);
+  check("layer beyond a wedge: three rows, none of them folded",
+        layer.elements.size() == 4 && !layer.is_folded(0));
+  check_close("layer beyond a wedge: width",
+              (layer.points.back() - layer.points[layer.points.size() - 2]).norm(),
+              1.2,
+              1e-12);
 }
 
 /** The cells converge; forces that have bent the bodies before, as springs of a contact by
@@ -494,6 +515,7 @@ int main(int argc, char **argv)
   check_edge(1., true, 1.593, 1.2, world);
   check_corner_layer();
   check_chamfer_layer();
+  check_converging_layer();
   meshes.push_back({{{12, 12}}, 12., 3.});
   check_pair("crossed cylinders",
              {{{Vector2(.01, 0.), off, 1.}, {Vector2(0., .04), off, -1.}}},

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
 #include <vfife/base/types.h>
 #include <vfife/fem/pressure/layer_elements.h>
 
@@ -198,11 +199,13 @@ namespace vfife
     class Continuation
     {
     public:
-      /** @p surface: of the points, whether they are on it, with those that are added. */
+      /** @p surface: of the points, whether they are on it, with those that are added. @p alike:
+       * all points go on by the mean step of the edge. */
       Continuation(LayerElements           &layer,
                    const std::vector<Side> &sides,
                    const SurfaceEnds       &ends,
-                   std::vector<char>       &surface)
+                   std::vector<char>       &surface,
+                   const bool               alike)
         : layer_(layer)
         , surface_(surface)
       {
@@ -229,9 +232,7 @@ namespace vfife
             width = std::min(width, step.second.norm());
             mean += step.second / steps.size();
           }
-        // Elements of several sizes go on alike: else those between small and large ones would
-        // fold.
-        if (!layer.hanging.empty())
+        if (alike)
           {
             width = mean.norm();
             for (auto &step : steps)
@@ -328,6 +329,25 @@ namespace vfife
     };
   } // namespace
 
+  bool LayerElements::is_folded(const std::size_t first) const
+  {
+    for (std::size_t e = first; e < elements.size(); ++e)
+      {
+        ElementNodes X(3, elements[e].size());
+        for (std::size_t a = 0; a < elements[e].size(); ++a)
+          X.col(a) = points[elements[e][a]];
+        try
+          {
+            compute_element_points(X);
+          }
+        catch (const NumericalError &)
+          {
+            return true;
+          }
+      }
+    return false;
+  }
+
   void LayerElements::continue_beyond(const PointPairs                &edges,
                                       const std::vector<unsigned int> &of_surface,
                                       const double                     length)
@@ -340,15 +360,29 @@ namespace vfife
     const SurfaceEnds ends = find_ends(*this, surface, edges);
     for (const auto &edge : edges)
       {
-        std::vector<Side> sides = FreeSides(*this, surface).find_at(edge);
+        const std::vector<Side> sides = FreeSides(*this, surface).find_at(edge);
         if (sides.empty())
           continue; // beyond which it goes on already
-        Continuation beyond(*this, sides, ends, surface);
-        for (double done = 0.; done < length; done += beyond.width)
+        const auto continue_by = [&](const bool alike) {
+          std::vector<Side> row = sides;
+          Continuation      beyond(*this, sides, ends, surface, alike);
+          for (double done = 0.; done < length; done += beyond.width)
+            {
+              for (Side &side : row)
+                side = beyond.add_element(side);
+              beyond.tie_row();
+            }
+        };
+        // Lines that converge would fold the rows, as elements between small and large ones would:
+        // then all go on alike.
+        const LayerElements     before         = *this;
+        const std::vector<char> surface_before = surface;
+        continue_by(!hanging.empty());
+        if (hanging.empty() && is_folded(before.elements.size()))
           {
-            for (Side &side : sides)
-              side = beyond.add_element(side);
-            beyond.tie_row();
+            *this   = before;
+            surface = surface_before;
+            continue_by(true);
           }
       }
   }

@@ -24,11 +24,15 @@ namespace vfife
      * Continues the elements by @p length [mm] beyond @p edges of the @p surface, two points
      * each: over the sides that turn down there, and over those that go on from these smoothly.
      * The surface goes straight on, with elements as wide as the last ones, and what is below as it
-     * does; what continues held points is held.
+     * does; what continues held points is held. Where elements would fold, all points go on by the
+     * mean step of the edge.
      */
     void continue_beyond(const PointPairs                &edges,
                          const std::vector<unsigned int> &surface,
                          double                           length);
+
+    /** Whether one of the elements from @p first on is folded. */
+    bool is_folded(std::size_t first) const;
 
     /** Mean displacements with the weights @p means under unit forces with the same weights, three
      * rows each [mm/N]. */
