@@ -12,7 +12,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <iomanip>
 #include <iostream>
 
 using namespace vfife;
@@ -131,18 +130,9 @@ namespace
 
   void print(const std::string &title, const Table &table, Log &log)
   {
-    std::ostringstream text;
-    text << std::setprecision(4) << "\n" << title << "\n" << table.csv_header();
-    for (std::size_t row = 0; row < table.n_rows(); ++row)
-      for (const Table::Column &column : table.columns())
-        {
-          text << (&column == &table.columns().front() ? '\n' : ',');
-          if (column.is_text)
-            text << column.texts[row];
-          else
-            text << column.numbers[row];
-        }
-    log.line(text.str());
+    std::ostringstream rows;
+    table.write_csv(rows);
+    log.line("\n", title, "\n", rows.str());
   }
 
   void measure(const std::string &file, const unsigned int repeats, const Communicator &world)

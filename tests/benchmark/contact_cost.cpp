@@ -25,7 +25,7 @@ namespace vfife
     class TurningPair
     {
     public:
-      TurningPair(const Model &model, ExplicitSolver &solver, const double closing)
+      TurningPair(const Model &model, ExplicitSolver &solver)
         : model_(model)
         , solver_(solver)
       {
@@ -113,15 +113,14 @@ namespace vfife
       Matrix3                    closed_;
     };
 
-    StepTimes
-    measure(TurningPair &pair, ContactSystem &contact, const double dt, const unsigned int steps)
+    StepTimes measure(TurningPair &pair, ContactSystem &contact, const double dt)
     {
       StepTimes    times = {};
       ContactTimes parts;
       pair.add_step(0, dt, times); // fills caches and lists
       times = {};
       contact.measure_times(&parts);
-      for (unsigned int step = 1; step <= steps; ++step)
+      for (unsigned int step = 1; step <= n_steps; ++step)
         pair.add_step(step, dt, times);
       contact.measure_times(nullptr);
       // Places 3 to 7 are the parts of the contact that it measures itself, 8 is what they leave:
@@ -135,7 +134,7 @@ namespace vfife
           times[8] -= known[i];
         }
       for (double &t : times)
-        t /= steps;
+        t /= n_steps;
       return times;
     }
   } // namespace
@@ -151,12 +150,12 @@ namespace vfife
     ExplicitSolver solver(model, DynamicsOptions(), communicator, log, timers);
     const double   dt = solver.stable_step();
     solver.set_step(dt);
-    TurningPair pair(model, solver, closing);
+    TurningPair pair(model, solver);
 
     std::array<std::vector<double>, std::tuple_size<StepTimes>::value> samples;
     for (unsigned int round = 0; round < repeats; ++round)
       {
-        const StepTimes times = measure(pair, solver.contact(), dt, n_steps);
+        const StepTimes times = measure(pair, solver.contact(), dt);
         for (unsigned int i = 0; i < times.size(); ++i)
           samples[i].push_back(1e6 * times[i]);
       }

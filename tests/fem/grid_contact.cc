@@ -425,10 +425,7 @@ void check_chamfer_layer()
   layer.elements = {{0, 2, 1, 3, 6, 8, 7, 9}, {2, 4, 3, 5, 8, 10, 9, 11}};
   layer.continue_beyond({{{2, 3}}}, {0, 1, 2, 3}, 3.);
   const auto volume = [&](const std::vector<unsigned int> &element) {
-    HexahedronNodes nodes;
-    for (unsigned int a = 0; a < 8; ++a)
-      nodes.col(a) = layer.points[element[a]];
-    return compute_volume(nodes);
+    return compute_volume(HexahedronNodes(layer.nodes_of(element)));
   };
   double sum = 0.;
   for (const auto &element : layer.elements)

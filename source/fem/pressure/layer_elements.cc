@@ -329,21 +329,24 @@ namespace vfife
     };
   } // namespace
 
+  ElementNodes LayerElements::nodes_of(const std::vector<unsigned int> &element) const
+  {
+    ElementNodes X(3, element.size());
+    for (std::size_t a = 0; a < element.size(); ++a)
+      X.col(a) = points[element[a]];
+    return X;
+  }
+
   bool LayerElements::is_folded(const std::size_t first) const
   {
-    for (std::size_t e = first; e < elements.size(); ++e)
+    try
       {
-        ElementNodes X(3, elements[e].size());
-        for (std::size_t a = 0; a < elements[e].size(); ++a)
-          X.col(a) = points[elements[e][a]];
-        try
-          {
-            compute_element_points(X);
-          }
-        catch (const NumericalError &)
-          {
-            return true;
-          }
+        for (std::size_t e = first; e < elements.size(); ++e)
+          compute_element_points(nodes_of(elements[e]));
+      }
+    catch (const NumericalError &)
+      {
+        return true;
       }
     return false;
   }
@@ -373,12 +376,17 @@ namespace vfife
               beyond.tie_row();
             }
         };
-        // Lines that converge would fold the rows, as elements between small and large ones would:
+        // Elements between small and large ones would fold, and so may rows whose lines converge:
         // then all go on alike.
+        if (!hanging.empty())
+          {
+            continue_by(true);
+            continue;
+          }
         const LayerElements     before         = *this;
         const std::vector<char> surface_before = surface;
-        continue_by(!hanging.empty());
-        if (hanging.empty() && is_folded(before.elements.size()))
+        continue_by(false);
+        if (is_folded(before.elements.size()))
           {
             *this   = before;
             surface = surface_before;
@@ -412,14 +420,10 @@ namespace vfife
     std::vector<Eigen::Triplet<double>> entries;
     for (const std::vector<unsigned int> &own : elements)
       {
-        ElementNodes                                     X(3, own.size());
         std::vector<std::vector<std::pair<int, double>>> unknowns;
-        for (std::size_t a = 0; a < own.size(); ++a)
-          {
-            X.col(a) = points[own[a]];
-            unknowns.push_back(unknowns_of(own[a]));
-          }
-        const Eigen::MatrixXd K = compute_fem_stiffness(X, material, element);
+        for (const unsigned int point : own)
+          unknowns.push_back(unknowns_of(point));
+        const Eigen::MatrixXd K = compute_fem_stiffness(nodes_of(own), material, element);
         for (Eigen::Index r = 0; r < K.rows(); ++r)
           for (Eigen::Index c = 0; c < K.cols(); ++c)
             for (const auto &[row, of_row] : unknowns[r / 3])

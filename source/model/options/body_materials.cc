@@ -148,6 +148,8 @@ namespace vfife
   void BodyMaterials::give_temperature(Body &body, const std::string &section) const
   {
     const std::string entry = section + temperature_entry;
+    if (temperature == "0")
+      return;
     for_entry(entry, [&] {
       const Expression    formula(without_kelvin(temperature), entry);
       std::vector<double> strains;

@@ -31,6 +31,9 @@ namespace vfife
                          const std::vector<unsigned int> &surface,
                          double                           length);
 
+    /** Places of the points of one of the elements [mm]. */
+    ElementNodes nodes_of(const std::vector<unsigned int> &element) const;
+
     /** Whether one of the elements from @p first on is folded. */
     bool is_folded(std::size_t first) const;
 
