@@ -199,9 +199,12 @@ namespace vfife
       {
         // What the section leaves open is taken of the bodies' meshes and the pair: zeros, a
         // negative backlash, a normal of no length.
-        const Model         model = pair_case_->make_model(log);
-        const Transmission &t     = *model.only_transmission();
-        const auto          fill  = [](auto &value, const auto known) {
+        const Model model = pair_case_->make_model(log);
+        if (model.has_initial_strains())
+          log.warning("a temperature acts in the lumped model only as far as the table of the "
+                      "loaded contact contains it");
+        const Transmission &t    = *model.only_transmission();
+        const auto          fill = [](auto &value, const auto known) {
           if (!(value > 0))
             value = known;
         };

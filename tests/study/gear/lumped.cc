@@ -167,6 +167,16 @@ int main(int argc, char **argv)
               .01 * 8e5 / 90);
   check_below("energy error", number(pair, "response", "energy error"), 1e-6);
 
+  // The stiffness of the table is that of the cold pair.
+  std::ofstream("warm.prm") << "include pair.prm\n"
+                            << "subsection Gear pair\n subsection Gear\n"
+                            << "  set temperature = 60\n end\nend\n";
+  std::filesystem::remove_all("lumped_results");
+  run_case("warm.prm", "lumped_results", session.world());
+  check("warm pair: a warning",
+        read_text("lumped_results/run.log").find("a temperature acts in the lumped model only") !=
+          std::string::npos);
+
   refuse(" set stiffness = 2 MN m/rad\n", session.world());
   refuse(" set stiffness = 2 MN m/rad\n set stiffness cosines = 0.7, 0.4\n set pinion teeth = 27\n"
          " set gear teeth = 79\n set gear inertia = 1\n set lever arm = 90\n set backlash = 0\n",

@@ -9,6 +9,7 @@
 
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/types.h>
+#include <vfife/dynamics/dynamics_options.h>
 #include <vfife/study/cases/gear/gear_case.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -106,11 +107,12 @@ void region_materials(Communicator &world)
       [&, pairs = pairs, format = format] { run("pair_refused", text(pairs, format), world); });
 }
 
-/** Penalty of both sides of the pair with these entries [N/mm^3], as given to a run. */
-double penalty_with(const std::string &entries)
+/** The pair with these entries and its model. */
+template <typename Action>
+void with_model(const std::string &entries, const Action &action)
 {
-  std::ofstream("pair_penalty.prm") << bodies() << entries;
-  const ParameterFile      file("pair_penalty.prm");
+  std::ofstream("pair_model.prm") << bodies() << entries;
+  const ParameterFile      file("pair_model.prm");
   GearCase                 gear_case;
   dealii::ParameterHandler prm;
   gear_case.declare(prm, file);
@@ -118,11 +120,37 @@ double penalty_with(const std::string &entries)
   gear_case.check_bodies();
   std::ostringstream nothing;
   Log                log(nothing, true, Verbosity::quiet);
-  const Model        model   = gear_case.make_model(log);
-  const auto        &penalty = model.contacts.front().options.penalty;
-  check("both sides of the teeth have the same springs, of no step",
-        model.contacts.size() == 2 && model.contacts.back().options.penalty.value == penalty.value);
-  return penalty.value;
+  action(gear_case, gear_case.make_model(log), log);
+}
+
+/** Penalty of both sides of the pair with these entries [N/mm^3], as given to a run. */
+double penalty_with(const std::string &entries)
+{
+  double value = 0.;
+  with_model(entries, [&](const GearCase &, const Model &model, Log &) {
+    value = model.contacts.front().options.penalty.value;
+    check("both sides of the teeth have the same springs, of no step",
+          model.contacts.size() == 2 && model.contacts.back().options.penalty.value == value);
+  });
+  return value;
+}
+
+/** Over one mesh cycle, 0.111 ms. */
+void torques(Communicator &)
+{
+  for (const auto &[torque, negative] :
+       {std::pair("800*(1 - 8e3*t)", false), std::pair("800*(1 - 1e4*t)", true)})
+    with_model(
+      std::string("subsection Operation\n set speed = 20000 rpm\n set mesh cycles = 1\n") +
+        " set torque = " + torque + "\nend\n",
+      [negative = negative](const GearCase &gear_case, const Model &model, Log &log) {
+        const DynamicsOptions          dynamics;
+        const std::vector<std::string> found = gear_case.report_checks({&model, &dynamics}, log);
+        check("a torque that becomes negative is named",
+              negative == std::any_of(found.begin(), found.end(), [](const auto &text) {
+                return text.find("the torque becomes negative") != std::string::npos;
+              }));
+      });
 }
 
 void penalties(Communicator &)
@@ -309,5 +337,5 @@ void figures(Communicator &world)
 
 int main(int argc, char **argv)
 {
-  return run_parts(argc, argv, {meshes, region_materials, penalties, spin, figures});
+  return run_parts(argc, argv, {meshes, region_materials, penalties, torques, spin, figures});
 }

@@ -2,6 +2,8 @@
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/figure_text.h>
 #include <vfife/dynamics/dynamics_options.h>
+#include <vfife/mesh/body_mesh.h>
+#include <vfife/mesh/mesh_quality.h>
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/output/output_options.h>
 #include <vfife/study/cases/contact_resolution.h>
@@ -10,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vfife
 {
@@ -74,6 +77,16 @@ namespace vfife
                            pair.pair_case.run_meshes(),
                            ": no steady part is possible");
       return "";
+    }
+
+    std::string check_torque(const Pair &pair, const RunPlan &plan)
+    {
+      const PairCase &the_case = pair.pair_case;
+      if (plan.dynamics == nullptr ||
+          !(the_case.driven_torque_history().find_range(the_case.end_time()).first < 0.))
+        return "";
+      return "the torque becomes negative within the run: the coast flanks are then in contact, "
+             "but penalty, patterns and root stresses are those of the drive flanks";
     }
 
     std::string check_flank(const Pair &, const RunPlan &plan)
@@ -209,12 +222,18 @@ namespace vfife
       constexpr double month = 30. * 24 * 3600;
       if (!(plan.expected_time > month))
         return "";
+      // Slow motion or one flat element, as of a small chamfer: the user knows which.
+      double height = std::numeric_limits<double>::infinity();
+      for (const Body &body : plan.model->bodies)
+        height = std::min(height, compute_mesh_quality(body.mesh().triangulation).least_height);
       return sentence_of(
         4,
         "a mesh cycle has ",
         std::round(1. / (pair.pair_case.mesh_frequency() * plan.step)),
-        " steps at this speed: use the loaded tooth contact analysis or a reduced pair "
-        "for slow motion");
+        " steps at this speed; the flattest element is ",
+        height,
+        " mm high. Enlarge it, or use the loaded tooth contact analysis or a reduced pair for slow "
+        "motion");
     }
 
     const std::vector<Check> checks = {&check_flank,
@@ -227,6 +246,7 @@ namespace vfife
                                        &check_damping,
                                        &check_damping_rate,
                                        &check_ramp,
+                                       &check_torque,
                                        &check_step,
                                        &check_samples,
                                        &check_fields,
