@@ -24,7 +24,10 @@ namespace vfife
     /** A meeting is at most this part of the rate from where the free vibrations of the step's
      * middle would have it. */
     constexpr double near = .03;
-    /** Points on the circle around a pole. */
+    /** Radius of the starts around a free vibration, of half its width: lines that are nearer to
+     * each other are one to a user. */
+    constexpr double around = .05;
+    /** Points on the circle around a pole or a start. */
     constexpr unsigned int n_points = 8;
 
     /** Whether two poles are one but for how far zeros are iterated. */
@@ -67,24 +70,61 @@ namespace vfife
                                          const Complex                     &start,
                                          const std::vector<ContactMeeting> &known)
     {
-      const auto find_known = [&](const std::optional<Complex> &pole) {
-        return std::find_if(known.begin(), known.end(), [&](const ContactMeeting &other) {
-          return pole && other.mesh_order == p && is_same(other.rate, *pole);
-        });
+      // Of lines near each other several starts may lead to one: divided out, they leave the next.
+      std::vector<Complex> apart;
+      const auto           compliance = [&](const Complex &at) {
+        Complex value = linear.loop_compliance(linear.mesh_frequency(p, at), at);
+        for (const Complex &other : apart)
+          value *= start / (at - other);
+        return value;
       };
-      const auto compliance = [&](const Complex &at) {
-        return linear.loop_compliance(linear.mesh_frequency(p, at), at);
-      };
-      std::optional<Complex> found = find_zero(compliance, start);
-      // Of two lines near by both starts may lead to one: divided out, it leaves the other.
-      if (const auto other = find_known(found); other != known.end())
-        found =
-          find_zero([&](const Complex &at) { return compliance(at) * start / (at - other->rate); },
-                    start);
-      if (!found || !(std::abs(*found - start) < near * std::abs(start)) ||
-          find_known(found) != known.end())
-        return {};
-      return found;
+      while (const std::optional<Complex> found = find_zero(compliance, start))
+        {
+          if (!(std::abs(*found - start) < near * std::abs(start)))
+            break;
+          const auto other =
+            std::find_if(known.begin(), known.end(), [&](const ContactMeeting &one) {
+              return one.mesh_order == p && is_same(one.rate, *found);
+            });
+          if (other == known.end())
+            return found;
+          if (std::count(apart.begin(), apart.end(), other->rate) > 0)
+            break;
+          apart.push_back(other->rate);
+        }
+      return {};
+    }
+
+    /** Rates at which mesh order 1 would meet the free vibrations that the body has at @p rate. */
+    std::vector<Complex> list_first_starts(const LinearResponse &linear, const double rate)
+    {
+      // lambda = i z phi', the frequency of the order where the body turns at this rate.
+      std::vector<Complex> starts = linear.free_vibrations(rate);
+      for (Complex &one : starts)
+        one /= imaginary_unit * double(linear.body().n_sectors) * linear.sense();
+      return starts;
+    }
+
+    /** The pole of a free vibration whose @p start, by the vibrations at another rate, leads to
+     * none: of lines near each other, which change with the rate, one attracts most starts. */
+    std::optional<Complex> find_missing_pole(const LinearResponse              &linear,
+                                             const unsigned int                 p,
+                                             const Complex                     &start,
+                                             const std::vector<ContactMeeting> &known)
+    {
+      std::vector<Complex> starts;
+      for (const Complex &first : list_first_starts(linear, start.real()))
+        if (const Complex one = first / double(p); std::abs(one - start) < near * std::abs(start))
+          starts.push_back(one);
+      std::sort(starts.begin(), starts.end(), [&](const Complex &a, const Complex &b) {
+        return std::abs(a - start) < std::abs(b - start);
+      });
+      for (unsigned int k = 0; k < n_points; ++k)
+        starts.push_back(start + around * start.imag() * std::polar(1., 2. * pi * k / n_points));
+      for (const Complex &one : starts)
+        if (const std::optional<Complex> found = find_new_pole(linear, p, one, known))
+          return found;
+      return {};
     }
 
     /** What the response has around a pole: residues by Cauchy's integral on a circle that no other
@@ -217,7 +257,6 @@ namespace vfife
                                                     const double          highest,
                                                     const double          turning)
   {
-    const unsigned int          z = linear.body().n_sectors;
     std::vector<ContactMeeting> meetings;
     const double lowest = from_rate > 0 ? from_rate : find_least_rate(linear, mesh_orders);
     if (!(lowest < highest))
@@ -228,16 +267,17 @@ namespace vfife
         const double               from = lowest * std::pow(highest / lowest, double(k) / n_steps);
         const double               to   = lowest * std::pow(highest / lowest, (k + 1.) / n_steps);
         const double               rate = turning * std::sqrt(from * to);
-        const std::vector<Complex> exponents = linear.free_vibrations(rate);
+        const std::vector<Complex> starts = list_first_starts(linear, rate);
         for (unsigned int p = 1; p <= mesh_orders; ++p)
-          for (const Complex &exponent : exponents)
+          for (const Complex &first : starts)
             {
-              // lambda = i p z phi', the frequency of order p where the body turns at this rate.
-              const Complex start = exponent / (imaginary_unit * double(p * z) * linear.sense());
+              const Complex start = first / double(p);
               const double  about = turning * start.real();
               if (!(about > from * (1. - follow) && about < to * (1. + follow)))
                 continue;
-              const std::optional<Complex> found = find_new_pole(linear, p, start, meetings);
+              std::optional<Complex> found = find_new_pole(linear, p, start, meetings);
+              if (!found && about >= from && about < to)
+                found = find_missing_pole(linear, p, start, meetings);
               if (!found || !(turning * found->real() >= from && turning * found->real() < to))
                 continue;
               meetings.emplace_back();
