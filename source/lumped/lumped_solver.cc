@@ -2,6 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/text/column_names.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/base/types.h>
 #include <vfife/lumped/lumped_solver.h>
 
@@ -217,12 +218,13 @@ namespace vfife
     // swing's period.
     const double interval = motion.rate() / (mesh_frequency * options_.samples);
     // No step passes over a short contact.
-    const double longest = std::min(interval, 0.25);
-    auto         stepper = odeint::make_dense_output(options_.tolerance,
+    const double     longest    = std::min(interval, 0.25);
+    constexpr double least_step = 1e-9;
+    auto             stepper    = odeint::make_dense_output(options_.tolerance,
                                              options_.tolerance,
                                              longest,
                                              odeint::runge_kutta_dopri5<Scaled>());
-    Scaled       y       = motion.scale(q_, v_);
+    Scaled           y          = motion.scale(q_, v_);
     stepper.initialize(y, 0., 1e-2 * longest);
 
     // The energy balance is kept from the start of the run, settling included.
@@ -235,7 +237,17 @@ namespace vfife
         const double time = i * interval;
         // Steps choose their own length; samples are interpolated within the step that passes them.
         while (stepper.current_time() < time)
-          stepper.do_step(std::cref(motion));
+          {
+            stepper.do_step(std::cref(motion));
+            // Below it, round-off of the motion exceeds the tolerance.
+            if (stepper.current_time_step() < least_step * longest)
+              throw NumericalError(sentence_of(4,
+                                               "the step of the lumped model falls to ",
+                                               stepper.current_time_step() / motion.rate(),
+                                               " s at the mesh frequency ",
+                                               mesh_frequency,
+                                               " Hz. Increase the torque or Lumped/tolerance."));
+          }
         if (i < first)
           continue;
         if (i > 0)

@@ -29,6 +29,8 @@ namespace vfife
   {
     /** Multiples of the mesh frequency whose critical speeds are written. */
     constexpr unsigned int n_orders = 3;
+    /** As in a run (Dynamics/energy limit) [-]. */
+    constexpr double largest_energy_error = .05;
 
     Json modes_json(const LumpedModel &model)
     {
@@ -263,6 +265,10 @@ namespace vfife
              response.losses,
              " tooth separations; energy error ",
              response.energy_error);
+    if (response.energy_error > largest_energy_error)
+      log.warning("the energy error of the lumped model exceeds ",
+                  1e2 * largest_energy_error,
+                  " %: forces and transmission errors are inaccurate. Decrease Lumped/tolerance.");
     Table resonance = make_resonance_response_table();
     if (sweep_.kind != SweepKind::none)
       {
