@@ -3,6 +3,7 @@
 #include <vfife/base/parameters/number_list.h>
 #include <vfife/base/process/log.h>
 #include <vfife/fem/fem_options.h>
+#include <vfife/model/model.h>
 
 #include <algorithm>
 
@@ -209,5 +210,14 @@ namespace vfife
       stiffness == StiffnessKind::full ? FemElement::full : FemElement::incompatible_modes;
     options.mass = MassKind::lumped;
     return options;
+  }
+
+  bool affords_quadratic_elements(const Model &model)
+  {
+    constexpr std::size_t most_elements = 50000;
+    std::size_t           n             = 0;
+    for (const Body &body : model.bodies)
+      n += body.n_elements();
+    return model.bearings.empty() && model.couplings.empty() && n <= most_elements;
   }
 } // namespace vfife

@@ -1,6 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/base/process/log.h>
 #include <vfife/reduced/reduced_options.h>
+
+#include <deal.II/base/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +15,8 @@ namespace vfife
     /** Orders of the mesh frequency that the modes have by themselves. */
     constexpr double kept_orders = 6;
 
-    const Choices<BodyElements> elements_choices = {{"as the run", BodyElements::as_run},
+    const Choices<BodyElements> elements_choices = {{"auto", BodyElements::automatic},
+                                                    {"as the run", BodyElements::as_run},
                                                     {"quadratic", BodyElements::quadratic},
                                                     {"cubic", BodyElements::cubic}};
   } // namespace
@@ -24,7 +28,9 @@ namespace vfife
                    elements,
                    elements_choices,
                    "Elements of the bodies: the 8-node elements of explicit runs, or curved "
-                   "quadratic (27 nodes) or cubic (64 nodes) elements on the same mesh");
+                   "quadratic (27 nodes) or cubic (64 nodes) elements on the same mesh. auto: "
+                   "quadratic elements up to 50,000 elements without bearings and couplings, "
+                   "otherwise, and in waves with Waves/solver = run, as the run");
     declare_quantity(
       prm,
       "cutoff frequency",
@@ -83,8 +89,18 @@ namespace vfife
     return cutoff > 0 ? cutoff : std::max(least, kept_orders * mesh_frequency);
   }
 
+  void ReducedOptions::choose_elements(const bool afford, Log &log)
+  {
+    if (elements != BodyElements::automatic)
+      return;
+    elements = afford ? BodyElements::quadratic : BodyElements::as_run;
+    log.line("Reduced/element type = auto: ",
+             afford ? "quadratic elements on the exact surfaces" : "as the run");
+  }
+
   FemOptions ReducedOptions::fem(const StiffnessKind stiffness) const
   {
+    Assert(elements != BodyElements::automatic, dealii::ExcInternalError());
     if (elements == BodyElements::as_run)
       return make_fem_options(stiffness);
     FemOptions options;

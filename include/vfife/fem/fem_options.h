@@ -13,6 +13,7 @@
 namespace vfife
 {
   class Log;
+  struct Model;
 
   enum class LinearSolverKind
   {
@@ -71,6 +72,10 @@ namespace vfife
 
   /** The conventional elements of a run with this stiffness, with the masses of its mass points. */
   FemOptions make_fem_options(StiffnessKind stiffness);
+
+  /** Whether quadratic elements of a gear pair need minutes and a few GB at most: one sector per
+   * body is factorized, and the mesh has at most 50,000 elements. */
+  bool affords_quadratic_elements(const Model &model);
 } // namespace vfife
 
 #endif

@@ -9,9 +9,12 @@
 
 namespace vfife
 {
+  class Log;
+
   /** Elements of reduced bodies. */
   enum class BodyElements
   {
+    automatic, ///< ReducedOptions::choose_elements()
     as_run,    ///< the 8-node elements and mass points of explicit runs
     quadratic, ///< curved, with consistent masses
     cubic
@@ -24,7 +27,7 @@ namespace vfife
     unsigned int steps_per_mesh = 150; ///< at least
     unsigned int steps_per_mode = 6;   ///< at least, in the shortest period of a kept mode
     unsigned int reach          = 4;   ///< sectors on each side whose residual flexibility is kept
-    BodyElements elements       = BodyElements::as_run;
+    BodyElements elements       = BodyElements::automatic;
     std::string  store;           ///< folder in which reduced bodies are kept; empty: none
     bool         exports = false; ///< whether their matrices are written
 
@@ -42,7 +45,12 @@ namespace vfife
     /** The cut-off of the entry, or six orders of the mesh frequency and at least @p least [Hz]. */
     double find_cutoff(double mesh_frequency, double least) const;
 
-    /** Finite elements of the bodies; those of a run have this @p stiffness. */
+    /** Elements of element type auto: quadratic elements where a study can @p afford them, else
+     * those of runs. */
+    void choose_elements(bool afford, Log &log);
+
+    /** Finite elements of the bodies; those of a run have this @p stiffness. Elements must have
+     * been chosen. */
     FemOptions fem(StiffnessKind stiffness) const;
 
     /** Steps in a mesh cycle: a multiple of the @p samples of a history. */

@@ -149,16 +149,6 @@ namespace vfife
       void
       write(const Model &model, Recorders &recorders, const OutputFolder &folder, Log &log) const;
 
-      /** Whether one sector of each body is factorized, on a mesh that is not fine by itself. */
-      bool can_afford_quadratic(const Model &model) const
-      {
-        constexpr std::size_t most_elements = 50000;
-        std::size_t           n             = 0;
-        for (const Body &body : model.bodies)
-          n += body.n_elements();
-        return options_.coupled_modes == 0 && model.bearings.empty() && model.couplings.empty() &&
-               n <= most_elements;
-      }
       unsigned int n_pressure_cells() const
       {
         // Nodal forces of coarse flanks change root stresses by up to a fifth.
@@ -262,7 +252,7 @@ namespace vfife
     for (unsigned int member = 0; member < model.bodies.size(); ++member)
       summary.figures.push_back({figure_name::torque_of(model.bodies[member].name()),
                                  {1e-3 * pair_case_->torque_on(member), "N m"}});
-    fem_.choose_elements(can_afford_quadratic(model), log);
+    fem_.choose_elements(options_.coupled_modes == 0 && affords_quadratic_elements(model), log);
     summary.figures.push_back(
       {figure_name::degree_of_elements, {double(degree_of(fem_.element)), "-"}});
     summary.contradictions = pair_case_->report_checks({&model}, log);

@@ -91,6 +91,7 @@ namespace vfife
       {
         const Model model = pair_case_->make_model(log);
         check_model(model);
+        choose_elements(model, log);
         log.line("waves of the ",
                  model.bodies[model.only_transmission()->driven].name(),
                  " with modes below ",
@@ -121,6 +122,11 @@ namespace vfife
       bool drives_runs() const
       {
         return options_.driven && options_.solver == WaveSolver::run;
+      }
+      /** Lines that runs repeat have the elements of runs. */
+      void choose_elements(const Model &model, Log &log)
+      {
+        reduced_.choose_elements(!drives_runs() && affords_quadratic_elements(model), log);
       }
       void check_run() const;
       /** Mesh frequency at a speed of the driver [rad/s]. */
@@ -295,6 +301,7 @@ namespace vfife
       log.set_verbosity(output_.verbosity);
       Model model = pair_case_->make_model(log);
       check_model(model);
+      choose_elements(model, log);
       settle_penalties(
         *pair_case_, reduced_.fem(dynamics_.stiffness), folder.communicator(), log, model);
       const auto                start = WallClock::now();

@@ -297,10 +297,11 @@ void default_errors(Communicator &world)
 /** The coarse reference pair at speed by reduced bodies, and what the page of the mesh says. */
 void at_speed(Communicator &world)
 {
-  const auto            row     = row_of(pair_page, "### Elements at speed", "as the run");
-  const std::string     folder  = do_case("prm/reduced/spiral_bevel_quick.prm",
-                                     {"Operation/mesh cycles=40", "Output/report=no"},
-                                     world);
+  const auto        row = row_of(pair_page, "### Elements at speed", "as the run");
+  const std::string folder =
+    do_case("prm/reduced/spiral_bevel_quick.prm",
+            {"Operation/mesh cycles=40", "Reduced/element type=as the run", "Output/report=no"},
+            world);
   const Columns         history = read_columns(folder + "history.csv");
   const nlohmann::json  figures = read_json(folder + "summary.json").at("figures");
   constexpr double      begin   = 30. / 9000.; // of the last ten mesh cycles [s]
