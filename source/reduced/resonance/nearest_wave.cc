@@ -10,7 +10,6 @@
 #include <cmath>
 #include <iomanip>
 #include <sstream>
-#include <tuple>
 
 namespace vfife
 {
@@ -20,8 +19,33 @@ namespace vfife
     constexpr unsigned int driving_orders = 3;
     /** Parts of the speed within which they are looked for, the next one where there is none. */
     constexpr double surroundings[] = {.1, .4};
-    /** Positions of a mesh cycle whose mean force acts on the modes: poles ask for no more. */
+    /** Positions of a mesh cycle: their mean force gives the poles, their harmonics up to the
+     * driving orders the amplitudes, within a tenth. */
     constexpr unsigned int n_positions = 12;
+    /** Of the largest amplitude nearby: weaker resonances are as many as there are orders and
+     * modes, and one of them is always near. */
+    constexpr double noticeable = 0.1;
+
+    /** Square of the amplitude at resonance, up to a factor that all have in common. */
+    double strength_of(const ContactMeeting &meeting)
+    {
+      const double decay = meeting.rate.imag();
+      return meeting.energy / (decay * decay);
+    }
+
+    /** The largest of the meetings that @p is_near; of all where none is. */
+    template <typename IsNear>
+    double find_largest_strength(const std::vector<ContactMeeting> &meetings, const IsNear &is_near)
+    {
+      double nearby = 0, all = 0;
+      for (const ContactMeeting &meeting : meetings)
+        {
+          all = std::max(all, strength_of(meeting));
+          if (is_near(meeting))
+            nearby = std::max(nearby, strength_of(meeting));
+        }
+      return nearby > 0 ? nearby : all;
+    }
   } // namespace
 
   std::string NearestWave::describe() const
@@ -42,19 +66,19 @@ namespace vfife
     const auto speed_of = [ratio](const ContactMeeting &meeting) {
       return std::abs(meeting.rate.real()) / ratio;
     };
-    // As far apart as is said; of those the lowest order, which drives most.
-    const auto key = [&](const ContactMeeting &meeting) {
-      return std::make_tuple(std::lround(1e3 * std::abs(speed_of(meeting) / speed - 1.)),
-                             meeting.mesh_order,
-                             -meeting.share);
+    const auto distance_of = [&](const ContactMeeting &meeting) {
+      return std::abs(speed_of(meeting) / speed - 1.);
     };
-    const ContactMeeting &nearest =
-      *std::min_element(meetings.begin(),
-                        meetings.end(),
-                        [&](const ContactMeeting &a, const ContactMeeting &b) {
-                          return key(a) < key(b);
-                        });
-    return NearestWave{nearest, speed_of(nearest), std::abs(speed_of(nearest) / speed - 1.)};
+    const double least =
+      noticeable * noticeable * find_largest_strength(meetings, [&](const ContactMeeting &meeting) {
+        return distance_of(meeting) <= surroundings[0];
+      });
+    const ContactMeeting *nearest = nullptr;
+    for (const ContactMeeting &meeting : meetings)
+      if (!(strength_of(meeting) < least) &&
+          (nearest == nullptr || distance_of(meeting) < distance_of(*nearest)))
+        nearest = &meeting;
+    return NearestWave{*nearest, speed_of(*nearest), distance_of(*nearest)};
   }
 
   std::optional<NearestWave>

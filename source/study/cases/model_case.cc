@@ -2,6 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/log.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/mesh/mesh_quality.h>
@@ -9,6 +10,7 @@
 #include <vfife/study/cases/contact_resolution.h>
 #include <vfife/study/cases/model_case.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vfife
@@ -37,6 +39,29 @@ namespace vfife
                    quality.least_edge,
                    " mm");
         }
+    }
+
+    /** Says where the last sample is if it is a noticeable part of the run before its end: the last
+     * values of histories are then not those at the end. */
+    std::string describe_last_sample(const RunPlan &plan, const double end_time)
+    {
+      constexpr double noticeable = 0.01;
+      if (plan.output == nullptr || !(plan.step > 0))
+        return "";
+      std::uint64_t n_steps = std::llround(end_time / plan.step);
+      if (plan.dynamics->largest_steps > 0)
+        n_steps = std::min<std::uint64_t>(n_steps, plan.dynamics->largest_steps);
+      const std::uint64_t rest = n_steps % plan.output->compute_history_steps(nullptr, plan.step);
+      if (rest <= noticeable * n_steps)
+        return "";
+      return sentence_of(4,
+                         "Output/steps per sample: the last sample is at ",
+                         1e3 * (n_steps - rest) * plan.step,
+                         " ms, the run ends at ",
+                         1e3 * n_steps * plan.step,
+                         " ms. Choose a divisor of its ",
+                         n_steps,
+                         " steps");
     }
   } // namespace
 
@@ -105,5 +130,16 @@ namespace vfife
   {
     // T/ceil(T/dt_s): the last step ends at the end time.
     return end_time_ / std::ceil(end_time_ / stable_step);
+  }
+
+  std::vector<std::string> ModelCase::report_checks(const RunPlan &plan, Log &log) const
+  {
+    std::vector<std::string> found;
+    if (const std::string sentence = describe_last_sample(plan, end_time_); !sentence.empty())
+      {
+        found.push_back(sentence);
+        log.line("warning: input conflict: ", sentence);
+      }
+    return found;
   }
 } // namespace vfife

@@ -309,7 +309,46 @@ void unequal_elements(Communicator &world)
   check("stiffness data: there is one", difference / largest > 1e-12);
 }
 
+/** 80 us with a sample in the last hundredth of the run, and with the last one a fifth before its
+ * end. */
+void last_sample(Communicator &world)
+{
+  const std::string bars = tree_folder() + "/prm/verification/two_bars.prm",
+                    text = "Output/steps per sample: the last sample is at ";
+  const auto say         = [&](const unsigned int steps) {
+    return check_case(bars, world, {"Output/steps per sample=" + std::to_string(steps)});
+  };
+  check("last sample near the end", !has_text(say(1), text));
+  const std::string said = say(1), count = "the run has ";
+  const int         n_steps = std::stoi(said.substr(said.find(count) + count.size()));
+  check("last sample at 80 % of the run",
+        has_text(say(n_steps * 4 / 5), text) && has_text(say(n_steps * 4 / 5), "ends at 0.08 ms"));
+  check("one sample at the end", !has_text(say(n_steps), text));
+}
+
+/** A block that flies off as a rigid body spins, while its elements are at rest: 0.1 ms are too
+ * short for the error to last. */
+void energy_at_end(Communicator &world)
+{
+  run_text("spun",
+           "subsection Model\n set bodies = block\n" +
+             model_text::block("block",
+                               {{20, 10, 10}},
+                               {{4, 2, 2}},
+                               "    set angular velocity = 0, 0, 1000 rad/s\n") +
+             "end\nsubsection Dynamics\n set end time = 0.1 ms\nend\n" + quiet_output(20),
+           world);
+  const nlohmann::json summary = read_json("spun/summary.json");
+  const double         error   = value_of(summary.at("energy").at("error"));
+  check("energy: the error is large", std::abs(error) > .02);
+  check("energy: and the end of the run says so",
+        has_text(summary.at("warnings").dump(), "the energy error is "));
+}
+
 int main(int argc, char **argv)
 {
-  return run_parts(argc, argv, {contact, step, relaxation, damping_rate, unequal_elements});
+  return run_parts(
+    argc,
+    argv,
+    {contact, step, relaxation, damping_rate, unequal_elements, last_sample, energy_at_end});
 }

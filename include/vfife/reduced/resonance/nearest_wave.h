@@ -25,8 +25,9 @@ namespace vfife
     std::string describe() const;
   };
 
-  /** Of @p meetings, to the @p speed of the driver [rad/s]. @p ratio: of the driven body's rate
-   * over the driver's, > 0. Nothing where there are no meetings. */
+  /** The nearest of @p meetings to the @p speed of the driver [rad/s], among those with a tenth or
+   * more of the largest amplitude at resonance within 10 % of the speed. @p ratio: of the driven
+   * body's rate over the driver's, > 0. Nothing where there are no meetings. */
   std::optional<NearestWave>
   find_nearest_wave(const std::vector<ContactMeeting> &meetings, double ratio, double speed);
 

@@ -19,6 +19,7 @@ namespace vfife
     void   check_run(const DynamicsOptions &dynamics) const override;
     double end_time() const override;
     double choose_step(double stable_step, unsigned int samples) const override;
+    std::vector<std::string> report_checks(const RunPlan &plan, Log &log) const override;
 
     /** The part of check_run() that concerns any explicit solution, also at rest. */
     void check_dynamics(const DynamicsOptions &dynamics) const;
