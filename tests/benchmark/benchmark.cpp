@@ -138,7 +138,7 @@ namespace
   void measure(const std::string &file, const unsigned int repeats, const Communicator &world)
   {
     Log         log(std::cout, world.is_root());
-    const Model pair      = make_model_of_study(file, world);
+    const Model pair      = make_gear_model(file, world);
     const Table operators = measure_operators(pair, repeats, log);
     print("operator", operators, log);
     const Table contact = measure_contact_cost(pair, repeats, Communicator(MPI_COMM_SELF), log);

@@ -17,7 +17,7 @@ int main(int argc, char **argv)
   const Communicator &world  = session.world();
   const double        cutoff = argc > 2 ? std::stod(argv[2]) : 25000.;
   const unsigned int  reach  = argc > 3 ? std::stoi(argv[3]) : 4;
-  const Model         model  = make_model_of_study(argv[1], world);
+  const Model         model  = make_gear_model(argv[1], world);
   for (unsigned int b = 0; b < model.bodies.size(); ++b)
     {
       const Body            &body       = model.bodies[b];

@@ -15,24 +15,8 @@
 #include <sstream>
 #include <string>
 
-/** The model that studies make of a parameter file with sections of a gear pair, and elements of
- * conventional analyses. */
+/** The model that studies make of the gear pair of a file; sections of studies are not read. */
 inline vfife::Model make_gear_model(const std::string &path, const vfife::Communicator &world)
-{
-  const vfife::ParameterFile file(path);
-  dealii::ParameterHandler   prm;
-  vfife::GearCase            gears;
-  vfife::FemOptions          fem;
-  gears.declare(prm, file);
-  vfife::declare_section(prm, "Fem", fem);
-  file.read(prm);
-  std::ostringstream nothing;
-  vfife::Log         log(nothing, world.is_root(), vfife::Verbosity::quiet);
-  return gears.make_model(log);
-}
-
-/** The model of the gear pair of a shipped file; sections of studies are not read. */
-inline vfife::Model make_model_of_study(const std::string &path, const vfife::Communicator &world)
 {
   const vfife::ParameterFile file(path);
   vfife::GearCase            gears;

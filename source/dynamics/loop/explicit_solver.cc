@@ -228,10 +228,7 @@ namespace vfife
         damping_watch_.observe_step(motions_.sums());
 
         if (last)
-          {
-            energy_.check_end(options_.energy_limit, describe_instant(state), log_);
-            break;
-          }
+          break;
         motions_.advance(dt_, state);
         substep = (substep + 1) % n_substeps_;
         if (substep == 0)

@@ -16,15 +16,6 @@ namespace vfife
     /** Part of the energy limit from which on there is a warning. */
     constexpr double warning_part = 0.4;
 
-    std::string describe_error(const std::string &verb,
-                               const double       error,
-                               const double       limit,
-                               const std::string &instant)
-    {
-      return "the energy error " + verb + " " + std::to_string(error) + " " + instant + " (limit " +
-             std::to_string(limit) + ", Dynamics/energy limit)";
-    }
-
     /** sum m u- . u+/2 of the rigid motions u before and after an update, as the energy of the
      * whole motion is counted. With u+ . u+/2 a body whose rotation is accelerated had a share of
      * it in the motion relative to that. */
@@ -131,7 +122,8 @@ namespace vfife
     // An error that is not finite fails at once, one beyond a limit when it has lasted and grows.
     const double error = ledger_.error(), residual = ledger_.residual();
     const auto   says = [&](const std::string &verb) {
-      return describe_error(verb, error, limit, instant);
+      return "the energy error " + verb + " " + std::to_string(error) + " " + instant + " (limit " +
+             std::to_string(limit) + ", Dynamics/energy limit)";
     };
     if (!std::isfinite(error))
       throw NumericalError(says("is"));
@@ -140,13 +132,6 @@ namespace vfife
       log.warning(says("has reached"));
     if (failure_watch_.exceeds(error, residual, limit))
       throw NumericalError(says("is") + " and grows: the integration is unstable");
-  }
-
-  void EnergyBook::check_end(const double limit, const std::string &instant, Log &log)
-  {
-    const double error = ledger_.error();
-    if (!has_warned_ && std::abs(error) > warning_part * limit)
-      log.warning(describe_error("is", error, limit, instant));
   }
 
   const EnergyLedger &EnergyBook::ledger() const

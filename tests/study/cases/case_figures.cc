@@ -25,13 +25,9 @@ std::string text()
 void steps(Communicator &)
 {
   std::ofstream("steps.prm") << text();
-  const ParameterFile      file("steps.prm");
-  dealii::ParameterHandler prm;
-  GearCase                 gears;
-  gears.declare(prm, file);
-  FemOptions fem;
-  declare_section(prm, "Fem", fem);
-  file.read(prm);
+  const ParameterFile file("steps.prm");
+  GearCase            gears;
+  file.read_known([&](dealii::ParameterHandler &prm) { gears.declare(prm, file); });
   for (const double stable : {100e-9, 93e-9, 57.3e-9})
     {
       const double step = gears.choose_step(stable, 7), steps = 1. / (3600. * 7 * step);

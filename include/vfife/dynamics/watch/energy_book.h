@@ -85,10 +85,6 @@ namespace vfife
      */
     void check(double limit, const std::string &instant, Log &log);
 
-    /** At the last sample of a run: warns of an error beyond two fifths of @p limit that check()
-     * has not warned of, because it has not lasted yet. */
-    void check_end(double limit, const std::string &instant, Log &log);
-
     const EnergyLedger &ledger() const;
 
     /** For checkpoints. */
