@@ -40,6 +40,10 @@ void nearest()
   ContactMeeting sharp = meeting(1001, 1. / 400);
   sharp.rate           = {1001, 1. / 20};
   check_close("weak forces, little damping", find({meeting(950, 1), sharp}), 3003, 1e-9);
+  // A third of the amplitude has the same kinetic energy at three times the frequency.
+  ContactMeeting third = meeting(1001, 1. / 49);
+  third.mesh_order     = 3;
+  check_close("a seventh of the velocity at order 3", find({meeting(950, 1), third}), 2850, 1e-9);
 }
 
 int main()

@@ -26,10 +26,12 @@ namespace vfife
      * modes, and one of them is always near. */
     constexpr double noticeable = 0.1;
 
-    /** Square of the amplitude at resonance, up to a factor that all have in common. */
+    /** Square of the amplitude at resonance, of the displacements weighted by masses, up to a
+     * factor that all at one speed have in common. */
     double strength_of(const ContactMeeting &meeting)
     {
-      const double decay = meeting.rate.imag();
+      // The kinetic energy has the square of the frequency.
+      const double decay = meeting.rate.imag() * meeting.mesh_order;
       return meeting.energy / (decay * decay);
     }
 
