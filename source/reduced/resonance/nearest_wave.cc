@@ -20,7 +20,7 @@ namespace vfife
     /** Parts of the speed within which they are looked for, the next one where there is none. */
     constexpr double surroundings[] = {.1, .4};
     /** Positions of a mesh cycle: their mean force gives the poles, their harmonics up to the
-     * driving orders the amplitudes, within a tenth. */
+     * driving orders the amplitudes, of which the size is enough. */
     constexpr unsigned int n_positions = 12;
     /** Of the largest amplitude nearby: weaker resonances are as many as there are orders and
      * modes, and one of them is always near. */
