@@ -178,6 +178,14 @@ namespace vfife
     return {};
   }
 
+  void report_conflict(const std::string &sentence, std::vector<std::string> &found, Log &log)
+  {
+    if (sentence.empty())
+      return;
+    found.push_back(sentence);
+    log.line("warning: input conflict: ", sentence);
+  }
+
   void log_parts(const Model &model, Log &log)
   {
     for (const Constraint &one : model.constraints)

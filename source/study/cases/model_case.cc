@@ -9,8 +9,8 @@
 #include <vfife/output/output_options.h>
 #include <vfife/study/cases/contact_resolution.h>
 #include <vfife/study/cases/model_case.h>
+#include <vfife/study/cases/run_length.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace vfife
@@ -43,22 +43,18 @@ namespace vfife
 
     /** Says where the last sample is if it is a noticeable part of the run before its end: the last
      * values of histories are then not those at the end. */
-    std::string describe_last_sample(const RunPlan &plan, const double end_time)
+    std::string describe_last_sample(const RunTimes &times, const double step)
     {
-      constexpr double noticeable = 0.01;
-      if (plan.output == nullptr || !(plan.step > 0))
-        return "";
-      std::uint64_t n_steps = std::llround(end_time / plan.step);
-      if (plan.dynamics->largest_steps > 0)
-        n_steps = std::min<std::uint64_t>(n_steps, plan.dynamics->largest_steps);
-      const std::uint64_t rest = n_steps % plan.output->compute_history_steps(nullptr, plan.step);
+      constexpr double    noticeable = 0.01;
+      const std::uint64_t n_steps    = std::llround(times.end / step),
+                          rest       = n_steps % times.sample_steps;
       if (rest <= noticeable * n_steps)
         return "";
       return sentence_of(4,
                          "Output/steps per sample: the last sample is at ",
-                         1e3 * (n_steps - rest) * plan.step,
+                         1e3 * (n_steps - rest) * step,
                          " ms, the run ends at ",
-                         1e3 * n_steps * plan.step,
+                         1e3 * n_steps * step,
                          " ms. Choose a divisor of its ",
                          n_steps,
                          " steps");
@@ -135,11 +131,12 @@ namespace vfife
   std::vector<std::string> ModelCase::report_checks(const RunPlan &plan, Log &log) const
   {
     std::vector<std::string> found;
-    if (const std::string sentence = describe_last_sample(plan, end_time_); !sentence.empty())
-      {
-        found.push_back(sentence);
-        log.line("warning: input conflict: ", sentence);
-      }
+    if (plan.step > 0)
+      report_conflict(
+        describe_last_sample(plan_times(*this, *plan.dynamics, *plan.output, nullptr, plan.step),
+                             plan.step),
+        found,
+        log);
     return found;
   }
 } // namespace vfife

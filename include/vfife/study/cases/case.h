@@ -88,7 +88,7 @@ namespace vfife
     virtual const PairCase *pair() const;
 
     /** Sentences about entries that contradict each other or will not give what the user expects,
-     * although each of them is allowed: logged as lines `check:`, and returned for the summary. All
+     * although each of them is allowed: logged, and returned for the summary. All
      * kinds of studies look at a case by this function alone. */
     virtual std::vector<std::string> report_checks(const RunPlan &plan, Log &log) const;
 
@@ -100,6 +100,10 @@ namespace vfife
   /** A line for each constraint, torque, load, bearing with its stiffness and damping, coupling,
    * housing, wall and pair of surfaces: what a user has to look at before a run. */
   void log_parts(const Model &model, Log &log);
+
+  /** Logs a @p sentence of Case::report_checks() and adds it to those @p found; an empty one is no
+   * conflict. */
+  void report_conflict(const std::string &sentence, std::vector<std::string> &found, Log &log);
 
   /** Warns of materials that are none of a solid (Material::find_doubts()). */
   void warn_of_materials(const Model &model, Log &log);

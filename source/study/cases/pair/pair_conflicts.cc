@@ -271,13 +271,7 @@ namespace vfife
     // Contradictions are said and not refused: a user may want just that.
     std::vector<std::string> found;
     for (const Check check : checks)
-      {
-        const std::string sentence = check({*this, known}, plan);
-        if (sentence.empty())
-          continue;
-        found.push_back(sentence);
-        log.line("warning: input conflict: ", sentence);
-      }
+      report_conflict(check({*this, known}, plan), found, log);
     if (found.empty())
       log.line("no input conflicts found");
     return found;
