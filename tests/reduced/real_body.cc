@@ -166,6 +166,7 @@ void exported(const std::string &pair, Communicator &world)
   std::ostringstream screen;
   Log                log(screen, false);
   ReducedOptions     options;
+  options.elements  = BodyElements::as_run;
   const auto         bodies = reduce_pair(model,
                                   {options.store,
                                            options.reach,
