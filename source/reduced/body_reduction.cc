@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <optional>
 
 namespace vfife
 {
@@ -249,8 +250,7 @@ namespace vfife
       {
         // Harmonics do not know each other: each rank takes every so manieth one.
         do_on_all(communicator_, [&]() {
-          second_rate_        = second_rate(sector_.body(), reduced_.rate);
-          second_equilibrium_ = sector_.find_equilibrium(second_rate_);
+          condense();
           for (unsigned int h = communicator_.rank(); h <= reduced_.n_sectors / 2;
                h += communicator_.size())
             add_harmonic(h);
@@ -292,25 +292,33 @@ namespace vfife
         }
       };
 
+      void condense()
+      {
+        std::vector<SectorRow> all = rows_;
+        all.insert(all.end(), ring_rows_.begin(), ring_rows_.end());
+        condensed_.emplace(sector_, reduced_.cutoff, all);
+        coriolis_         = condensed_->coriolis();
+        const double rate = second_rate(sector_.body(), reduced_.rate);
+        spin_stiffness_   = condensed_->spin_stiffness(sector_.find_equilibrium(rate), rate);
+      }
+
       void add_harmonic(const unsigned int number)
       {
-        CyclicHarmonic               sector(sector_, number);
-        ReducedBody::Harmonic        harmonic;
-        const std::vector<SectorRow> touch(rows_.begin(),
-                                           rows_.begin() + 3 * reduced_.touch_nodes.size());
+        CyclicHarmonic        sector(*condensed_, number);
+        ReducedBody::Harmonic harmonic;
+        const std::size_t     n_touch = 3 * reduced_.touch_nodes.size();
         // 1. Modes and what speed does to them.
-        const CyclicModes modes = sector.find_modes(reduced_.cutoff);
+        const CyclicModes modes = sector.find_modes();
         harmonic.number         = number;
         harmonic.eigenvalues    = modes.eigenvalues;
-        const bool is_empty     = modes.vectors.empty();
-        harmonic.shapes = is_empty ? Eigen::MatrixXcd(rows_.size(), 0) : sector.read(modes, rows_);
+        harmonic.shapes         = sector.read(modes).topRows(rows_.size());
+        const bool is_empty     = harmonic.n_modes() == 0;
         if (!is_empty)
           {
-            const Eigen::MatrixXcd G = sector.project(modes, sector.coriolis());
+            const Eigen::MatrixXcd G = sector.project(modes, coriolis_);
             harmonic.coriolis        = .5 * (G - G.adjoint());
-            const Eigen::MatrixXcd D =
-              sector.project(modes, sector.spin_stiffness(second_equilibrium_, second_rate_));
-            harmonic.spin_stiffness = .5 * (D + D.adjoint());
+            const Eigen::MatrixXcd D = sector.project(modes, spin_stiffness_);
+            harmonic.spin_stiffness  = .5 * (D + D.adjoint());
           }
         if (number < 2)
           own_.rings.add(sector, modes, harmonic);
@@ -318,9 +326,9 @@ namespace vfife
         // 2. What they leave of the static displacements.
         const auto flexibilities = harmonic.eigenvalues.cwiseInverse().cast<std::complex<double>>();
         residual_.add(number,
-                      sector.answers(touch, rows_),
+                      sector.answers(0, n_touch).topRows(rows_.size()),
                       harmonic.shapes * flexibilities.asDiagonal() *
-                        harmonic.shapes.topRows(touch.size()).adjoint());
+                        harmonic.shapes.topRows(n_touch).adjoint());
         if (number == 0)
           add_axial(sector, modes, harmonic);
         own_.n_unknowns = std::max(own_.n_unknowns, sector.n_unknowns());
@@ -331,8 +339,9 @@ namespace vfife
       }
 
       /** h = 0: what is the same in all sectors. */
-      void
-      add_axial(CyclicHarmonic &sector, const CyclicModes &modes, ReducedBody::Harmonic &harmonic)
+      void add_axial(const CyclicHarmonic  &sector,
+                     const CyclicModes     &modes,
+                     ReducedBody::Harmonic &harmonic)
       {
         const auto flexibilities = harmonic.eigenvalues.cwiseInverse().cast<std::complex<double>>();
         const auto modal_part    = [&](const Eigen::VectorXcd &force) -> Eigen::VectorXd {
@@ -340,11 +349,13 @@ namespace vfife
         };
         harmonic.torque = sector.modal_forces(modes, sector_.torque()).cast<std::complex<double>>();
         harmonic.euler  = sector.euler_forces(modes).cast<std::complex<double>>();
-        own_.torque_residual = sector.answer(sector_.torque(), rows_) - modal_part(harmonic.torque);
-        own_.euler_residual  = sector.euler_answer(rows_) - modal_part(harmonic.euler);
+        const auto n    = static_cast<Eigen::Index>(rows_.size());
+        own_.torque_residual =
+          sector.answer(sector_.torque()).head(n) - modal_part(harmonic.torque);
+        own_.euler_residual = sector.euler_answer().head(n) - modal_part(harmonic.euler);
         own_.rings.add_axial(sector, harmonic);
         if (sector_.turns())
-          own_.turn_coriolis = sector.turn_coriolis(modes);
+          own_.turn_coriolis = sector.turn_coriolis(modes, coriolis_);
       }
 
       /** What all ranks have found. Collective. */
@@ -379,10 +390,11 @@ namespace vfife
       const CyclicBody       sector_;
       ReducedBody            reduced_;
       std::vector<SectorRow> rows_, ring_rows_;
-      double                 second_rate_ = 0; ///< for the stiffness of spin [rad/s]
-      std::vector<double>    second_equilibrium_;
-      Found                  own_;
-      ResidualSum            residual_;
+      /** Made by reduce(). */
+      std::optional<CyclicSector> condensed_;
+      SectorMatrix                coriolis_, spin_stiffness_;
+      Found                       own_;
+      ResidualSum                 residual_;
     };
   } // namespace
 

@@ -100,7 +100,7 @@ namespace vfife
 
   FemOptions ReducedOptions::fem(const StiffnessKind stiffness) const
   {
-    Assert(elements != BodyElements::automatic, dealii::ExcInternalError());
+    AssertThrow(elements != BodyElements::automatic, dealii::ExcInternalError());
     if (elements == BodyElements::as_run)
       return make_fem_options(stiffness);
     FemOptions options;

@@ -87,20 +87,18 @@ namespace vfife
     return rows;
   }
 
-  void
-  RingParts::add(CyclicHarmonic &sector, const CyclicModes &modes, ReducedBody::Harmonic &harmonic)
+  void RingParts::add(const CyclicHarmonic  &sector,
+                      const CyclicModes     &modes,
+                      ReducedBody::Harmonic &harmonic)
   {
     if (ring_rows_.empty())
       return;
     const unsigned int h  = harmonic.number;
     const MatrixXcd    Pi = make_projector(body_, h, ring_rows_.size() / 6);
     const double       N  = body_.n_sectors();
-    harmonic.rings        = MatrixXcd::Zero(ring_rows_.size(), harmonic.n_modes());
-    if (!modes.vectors.empty())
-      harmonic.rings = N * Pi * sector.read(modes, ring_rows_);
-    std::vector<SectorRow> all = rows_;
-    all.insert(all.end(), ring_rows_.begin(), ring_rows_.end());
-    const MatrixXcd under = (h == 0 ? 1. : 2.) * sector.answers(ring_rows_, all) * Pi;
+    harmonic.rings        = N * Pi * sector.read(modes).bottomRows(ring_rows_.size());
+    const MatrixXcd under =
+      (h == 0 ? 1. : 2.) * sector.answers(rows_.size(), ring_rows_.size()) * Pi;
     const MatrixXcd modal = static_modes(harmonic, harmonic.rings.adjoint());
     answers_[h]           = under.topRows(rows_.size()) - harmonic.shapes * modal;
     const MatrixXd part =
@@ -108,7 +106,7 @@ namespace vfife
     residual_ = residual_.size() > 0 ? MatrixXd(residual_ + part) : part;
   }
 
-  void RingParts::add_axial(CyclicHarmonic &sector, const ReducedBody::Harmonic &harmonic)
+  void RingParts::add_axial(const CyclicHarmonic &sector, const ReducedBody::Harmonic &harmonic)
   {
     if (ring_rows_.empty())
       return;
@@ -117,8 +115,9 @@ namespace vfife
     const auto modal_part = [&](const Eigen::VectorXcd &force) -> VectorXd {
       return (harmonic.rings * static_modes(harmonic, force)).real();
     };
-    torque_ = whole * sector.answer(body_.torque(), ring_rows_) - modal_part(harmonic.torque);
-    euler_  = whole * sector.euler_answer(ring_rows_) - modal_part(harmonic.euler);
+    const auto n = static_cast<Eigen::Index>(ring_rows_.size());
+    torque_      = whole * sector.answer(body_.torque()).tail(n) - modal_part(harmonic.torque);
+    euler_       = whole * sector.euler_answer().tail(n) - modal_part(harmonic.euler);
   }
 
   void RingParts::pass(ByteStream &stream)

@@ -31,7 +31,8 @@ namespace vfife
   class RingParts
   {
   public:
-    /** @p ring_rows: of describe_rings(). All must outlive the object. */
+    /** @p ring_rows: of describe_rings(), behind the other rows of the sector. All must outlive the
+     * object. */
     RingParts(const CyclicBody             &body,
               const std::vector<SectorRow> &rows,
               const std::vector<SectorRow> &ring_rows)
@@ -42,10 +43,11 @@ namespace vfife
     }
 
     /** Sets Harmonic::rings, of which eigenvalues and shapes are known. */
-    void add(CyclicHarmonic &sector, const CyclicModes &modes, ReducedBody::Harmonic &harmonic);
+    void
+    add(const CyclicHarmonic &sector, const CyclicModes &modes, ReducedBody::Harmonic &harmonic);
 
     /** h = 0: under a torque and an angular acceleration about the axis. */
-    void add_axial(CyclicHarmonic &sector, const ReducedBody::Harmonic &harmonic);
+    void add_axial(const CyclicHarmonic &sector, const ReducedBody::Harmonic &harmonic);
 
     void pass(ByteStream &stream);
     /** Adds the parts. */

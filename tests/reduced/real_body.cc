@@ -167,13 +167,13 @@ void exported(const std::string &pair, Communicator &world)
   Log                log(screen, false);
   ReducedOptions     options;
   options.elements  = BodyElements::as_run;
-  const auto         bodies = reduce_pair(model,
+  const auto bodies = reduce_pair(model,
                                   {options.store,
-                                           options.reach,
-                                           options.fem(StiffnessKind::incompatible_modes),
-                                           60e3,
-                                           1.,
-                                           nullptr},
+                                   options.reach,
+                                   options.fem(StiffnessKind::incompatible_modes),
+                                   60e3,
+                                   1.,
+                                   nullptr},
                                   world,
                                   log);
   {

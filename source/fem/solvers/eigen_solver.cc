@@ -85,11 +85,6 @@ namespace vfife
       return start;
     }
 
-    Teuchos::RCP<Columns> make_start(const FemMatrix &mass, const unsigned int n)
-    {
-      return make_start(mass.diagonal(), mass.pattern().first_row, mass.communicator(), n);
-    }
-
     Teuchos::ParameterList
     make_list(const std::string &which, const unsigned int block, const double tolerance)
     {
@@ -122,10 +117,10 @@ namespace vfife
 
     /** Rayleigh and Ritz: the eigenpairs in the space of the vectors, of an operator that is
      * symmetric in the inner product of M. */
-    void make_symmetric(const SparseMatrix &mass,
-                        const ShiftInvert  &inverse,
-                        const Communicator &communicator,
-                        EigenPairs         &pairs)
+    void make_symmetric(const ColumnOperator &mass,
+                        const ColumnOperator &inverse,
+                        const Communicator   &communicator,
+                        EigenPairs           &pairs)
     {
       const Columns         x(communicator, pairs.vectors);
       const Columns         Mx = vfife::apply(mass, x);
@@ -173,14 +168,34 @@ namespace vfife
                                 const unsigned int  n,
                                 const double        tolerance)
   {
+    const SparseMatrix M(mass);
+    return solve_shift_invert(M,
+                              ShiftInvert(M, factors),
+                              mass.diagonal(),
+                              mass.pattern().first_row,
+                              mass.communicator(),
+                              shift,
+                              n,
+                              tolerance);
+  }
+
+  EigenPairs solve_shift_invert(const ColumnOperator &mass,
+                                const ColumnOperator &inverse,
+                                const OwnedVector    &mass_diagonal,
+                                const unsigned int    first_row,
+                                const Communicator   &communicator,
+                                const double          shift,
+                                const unsigned int    n,
+                                const double          tolerance)
+  {
     // The largest mu = 1/(lambda - shift) of (K - shift M)^-1 M are the lowest lambda above the
     // shift, far apart from each other: few Krylov vectors are needed.
     // Two vectors a block: both members of a double mode enter the Krylov space from the start.
     constexpr unsigned int block = 2;
-    const SparseMatrix     M(mass);
-    const ShiftInvert      inverse(M, factors);
-    const auto             problem = Teuchos::rcp(
-      new Problem(Teuchos::rcpFromRef(inverse), Teuchos::rcpFromRef(M), make_start(mass, block)));
+    const auto             problem =
+      Teuchos::rcp(new Problem(Teuchos::rcpFromRef(inverse),
+                               Teuchos::rcpFromRef(mass),
+                               make_start(mass_diagonal, first_row, communicator, block)));
     // Round-off makes complex pairs of exactly double values; where such a pair meets the end of
     // the kept space, Anasazi's restart for symmetric operators writes beyond its memory. The other
     // one keeps pairs together, real and imaginary part spanning the same space.
@@ -193,11 +208,11 @@ namespace vfife
     Anasazi::BlockKrylovSchurSolMgr<double, Columns, ColumnOperator> solver(problem, list);
     solver.solve();
     EigenPairs pairs = take_pairs(*problem, n, solver.getNumIters());
-    make_symmetric(M, inverse, mass.communicator(), pairs);
+    make_symmetric(mass, inverse, communicator, pairs);
     // The operator's eigenvalues are mu = 1/(lambda - shift).
     for (double &value : pairs.values)
       value = shift + 1. / value;
-    normalize(M, mass.communicator(), pairs);
+    normalize(mass, communicator, pairs);
     return pairs;
   }
 

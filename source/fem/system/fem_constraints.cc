@@ -180,7 +180,10 @@ namespace vfife
                   {
                     local.unknown[k] = padding_.size();
                     if (local.hub != no_unknown)
-                      hubs.emplace(local.hub, local.unknown[k]);
+                      {
+                        hubs.emplace(local.hub, local.unknown[k]);
+                        hub_angles_.push_back(local.unknown[k]);
+                      }
                   }
                 // Padding: three numbers a point, whatever acts.
                 if (padded || (acts && !shared))

@@ -17,7 +17,8 @@ namespace vfife
     , first_(constraints_.first(communicator.rank()))
     , last_(constraints_.first(communicator.rank() + 1))
     , links_(std::move(links))
-    , rings_(space, housing, options.harmonic)
+    // Rings join all sectors: an open one has none, as in harmonics beyond 1.
+    , rings_(space, housing, options.open ? 2 : options.harmonic)
   {
     // Every rank knows all points and numbers all unknowns alike; it sums only the
     // rows that it owns. So no matrix entries are sent: elements at the border

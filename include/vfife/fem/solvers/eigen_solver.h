@@ -28,6 +28,19 @@ namespace vfife
                                 double              tolerance);
 
   /**
+   * The @p n eigenvalues nearest to @p shift, on both sides of it, of operators: M and @p inverse,
+   * (K - shift M)^-1 M. @p mass_diagonal: owned entries of M from row @p first_row on.
+   */
+  EigenPairs solve_shift_invert(const ColumnOperator &mass,
+                                const ColumnOperator &inverse,
+                                const OwnedVector    &mass_diagonal,
+                                unsigned int          first_row,
+                                const Communicator   &communicator,
+                                double                shift,
+                                unsigned int          n,
+                                double                tolerance);
+
+  /**
    * The @p n lowest eigenvalues by LOBPCG (Anasazi) with multigrid for K - shift M, which must be
    * positive definite, of a system with padded unknowns. Collective.
    */

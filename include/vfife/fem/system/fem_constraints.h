@@ -55,7 +55,8 @@ namespace vfife
       unsigned int harmonic = 0; ///< of a sector
       HubRotation  rotation = HubRotation::free;
       /** Of a sector: images have unknowns of their own, along the axes of their originals turned,
-       * in the order of theirs. There are no harmonics then. */
+       * in the order of theirs. There are no harmonics and
+       * no bearing rings then. */
       bool open = false;
       /** Directions with a displacement other than zero are taken as held; else InputError. */
       bool led_are_held = false;
@@ -91,6 +92,12 @@ namespace vfife
       return padding_[unknown] != 0;
     }
 
+    /** Unknowns that are the angles of rigid hubs, which all sectors share. */
+    const std::vector<unsigned int> &hub_angles() const
+    {
+      return hub_angles_;
+    }
+
     /** u = T q. */
     std::vector<double> expand(const std::vector<double> &q) const;
     /** Coefficients that reproduce @p u where it is compatible: (T^T T)^-1 T^T u, T having
@@ -107,6 +114,7 @@ namespace vfife
 
     unsigned int                                       n_copies_ = 1;
     std::vector<unsigned int>                          first_;
+    std::vector<unsigned int>                          hub_angles_;
     std::vector<bool>                                  padding_;
     std::vector<bool>                                  hangs_; ///< by point
     std::unique_ptr<dealii::AffineConstraints<double>> lines_;
