@@ -9,6 +9,8 @@
 #include <vfife/element/stress.h>
 #include <vfife/fem/statics/static_solver.h>
 #include <vfife/reduced/reduced_options.h>
+#include <vfife/reduced/resonance/linear_response.h>
+#include <vfife/reduced/resonance/static_passage.h>
 
 using namespace vfife;
 using namespace pair_of_bodies;
@@ -170,6 +172,45 @@ void in_motion(Communicator &world)
   check("energy: better with smaller steps", error[3] < .5 * error[1]);
 }
 
+/** Rates at which mesh orders meet free vibrations: all of them, also where lines are near each
+ * other. */
+void resonances(Communicator &world)
+{
+  const Model                    model  = make_model("resonances", 20000., world);
+  const std::vector<ReducedBody> bodies = reduce(model, 40e3, 4, world);
+  const double                   mesh   = 1. / model.only_transmission()->mesh_frequency();
+  ReducedPair                    pair   = make_pair(model, bodies, {mesh / 150., 1000., 2000.});
+  const Transmission            &t      = *model.only_transmission();
+  const StaticPassage            passage(model, pair, 12);
+  const LinearResponse           linear(
+    pair.body(t.driven), passage, {1000., 2000.}, pair.sector_sense(t.driven), t.driven_sense);
+  unsigned int n_free = 2; // of the turn
+  for (const ReducedBody::Harmonic &modes : bodies[t.driven].harmonics)
+    n_free += (modes.number == 0 ? 2 : 4) * modes.n_modes();
+  for (const int p : {1, 3})
+    {
+      // A quotient of polynomials of this degree has no other zeros, if these are different ones.
+      const std::vector<Complex> rates = linear.resonance_rates(p);
+      check("a rate for each free vibration", rates.size() == n_free);
+      double worst = 0, nearest = 1;
+      for (std::size_t i = 0; i < rates.size(); ++i)
+        {
+          const auto compliance = [&](const Complex &rate) {
+            return linear.loop_compliance(linear.mesh_frequency(p, rate), rate);
+          };
+          for (std::size_t k = 0; k < i; ++k)
+            nearest = std::min(nearest, std::abs(rates[i] / rates[k] - 1.));
+          // How far Newton's method would move it.
+          const Complex step = 1e-6 * rates[i];
+          raise_to(worst,
+                   std::abs(compliance(rates[i]) /
+                            (compliance(rates[i] + step) - compliance(rates[i] - step)) * 2e-6));
+        }
+      check_below("zeros of the loop's compliance", worst, 1e-6);
+      check("no zero twice", nearest > 1e-5);
+    }
+}
+
 /** Speed and torque over time. */
 void speeding_up(Communicator &world)
 {
@@ -289,7 +330,8 @@ void refusals(Communicator &world)
 
 int main(int argc, char **argv)
 {
-  return run_parts(argc,
-                   argv,
-                   {at_rest, quadratic, in_motion, speeding_up, parting, too_long_steps, refusals});
+  return run_parts(
+    argc,
+    argv,
+    {at_rest, quadratic, in_motion, resonances, speeding_up, parting, too_long_steps, refusals});
 }

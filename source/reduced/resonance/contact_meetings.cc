@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace vfife
@@ -16,25 +15,11 @@ namespace vfife
 
   namespace
   {
-    /** Free vibrations are found at rates whose quotient is this; between them they change by
-     * little. */
-    constexpr double step = 1.1;
-    /** How far beyond half a step they are followed [-]. */
-    constexpr double follow = .1;
-    /** A meeting is at most this part of the rate from where the free vibrations of the step's
-     * middle would have it. */
+    /** A vibration is followed from one rate to the next as far as its frequency changes by less
+     * than this part. */
     constexpr double near = .03;
-    /** Radius of the starts around a free vibration, of half its width: lines that are nearer to
-     * each other are one to a user. */
-    constexpr double around = .05;
-    /** Points on the circle around a pole or a start. */
+    /** Points on the circle around a pole. */
     constexpr unsigned int n_points = 8;
-
-    /** Whether two poles are one but for how far zeros are iterated. */
-    bool is_same(const Complex &a, const Complex &b)
-    {
-      return std::abs(a - b) < 1e-7 * std::abs(a);
-    }
 
     /** A zero of @p function near @p start: of the quotients of linear functions through three
      * points, which have a pole beside the zero as well (Jarratt and Nudds 1965). */
@@ -61,69 +46,6 @@ namespace vfife
           if (f[2] == 0.)
             return x[2];
         }
-      return {};
-    }
-
-    /** The pole of a mesh order that @p start leads to, unless it is one of the @p known. */
-    std::optional<Complex> find_new_pole(const LinearResponse              &linear,
-                                         const unsigned int                 p,
-                                         const Complex                     &start,
-                                         const std::vector<ContactMeeting> &known)
-    {
-      // Of lines near each other several starts may lead to one: divided out, they leave the next.
-      std::vector<Complex> apart;
-      const auto           compliance = [&](const Complex &at) {
-        Complex value = linear.loop_compliance(linear.mesh_frequency(p, at), at);
-        for (const Complex &other : apart)
-          value *= start / (at - other);
-        return value;
-      };
-      while (const std::optional<Complex> found = find_zero(compliance, start))
-        {
-          if (!(std::abs(*found - start) < near * std::abs(start)))
-            break;
-          const auto other =
-            std::find_if(known.begin(), known.end(), [&](const ContactMeeting &one) {
-              return one.mesh_order == p && is_same(one.rate, *found);
-            });
-          if (other == known.end())
-            return found;
-          if (std::count(apart.begin(), apart.end(), other->rate) > 0)
-            break;
-          apart.push_back(other->rate);
-        }
-      return {};
-    }
-
-    /** Rates at which mesh order 1 would meet the free vibrations that the body has at @p rate. */
-    std::vector<Complex> list_first_starts(const LinearResponse &linear, const double rate)
-    {
-      // lambda = i z phi', the frequency of the order where the body turns at this rate.
-      std::vector<Complex> starts = linear.free_vibrations(rate);
-      for (Complex &one : starts)
-        one /= imaginary_unit * double(linear.body().n_sectors) * linear.sense();
-      return starts;
-    }
-
-    /** The pole of a free vibration whose @p start, by the vibrations at another rate, leads to
-     * none: of lines near each other, which change with the rate, one attracts most starts. */
-    std::optional<Complex> find_missing_pole(const LinearResponse              &linear,
-                                             const unsigned int                 p,
-                                             const Complex                     &start,
-                                             const std::vector<ContactMeeting> &known)
-    {
-      std::vector<Complex> starts;
-      for (const Complex &first : list_first_starts(linear, start.real()))
-        if (const Complex one = first / double(p); std::abs(one - start) < near * std::abs(start))
-          starts.push_back(one);
-      std::sort(starts.begin(), starts.end(), [&](const Complex &a, const Complex &b) {
-        return std::abs(a - start) < std::abs(b - start);
-      });
-      for (unsigned int k = 0; k < n_points; ++k)
-        starts.push_back(start + around * start.imag() * std::polar(1., 2. * pi * k / n_points));
-      for (const Complex &one : starts)
-        if (const std::optional<Complex> found = find_new_pole(linear, p, one, known))
-          return found;
       return {};
     }
 
@@ -236,21 +158,6 @@ namespace vfife
     return 2. * std::abs(rate.imag() / rate.real());
   }
 
-  namespace
-  {
-    /** A rate [rad/s] below which no order meets a free vibration: of n diameters omega at (p z +-
-     * n) rate, n at most half the sectors. */
-    double find_least_rate(const LinearResponse &linear, const unsigned int mesh_orders)
-    {
-      constexpr double below = .9; // the frequency at rest, for what spin changes
-      double           least = std::numeric_limits<double>::infinity();
-      for (const Complex &exponent : linear.free_vibrations(0.))
-        if (exponent.imag() > 0)
-          least = std::min(least, exponent.imag());
-      return below * least / (linear.body().n_sectors * (mesh_orders + .5));
-    }
-  } // namespace
-
   std::vector<ContactMeeting> find_contact_meetings(const LinearResponse &linear,
                                                     const unsigned int    mesh_orders,
                                                     const double          from_rate,
@@ -258,33 +165,16 @@ namespace vfife
                                                     const double          turning)
   {
     std::vector<ContactMeeting> meetings;
-    const double lowest = from_rate > 0 ? from_rate : find_least_rate(linear, mesh_orders);
-    if (!(lowest < highest))
-      return meetings;
-    const unsigned int n_steps = std::ceil(std::log(highest / lowest) / std::log(step));
-    for (unsigned int k = 0; k < n_steps; ++k)
-      {
-        const double               from = lowest * std::pow(highest / lowest, double(k) / n_steps);
-        const double               to   = lowest * std::pow(highest / lowest, (k + 1.) / n_steps);
-        const double               rate = turning * std::sqrt(from * to);
-        const std::vector<Complex> starts = list_first_starts(linear, rate);
-        for (unsigned int p = 1; p <= mesh_orders; ++p)
-          for (const Complex &first : starts)
-            {
-              const Complex start = first / double(p);
-              const double  about = turning * start.real();
-              if (!(about > from * (1. - follow) && about < to * (1. + follow)))
-                continue;
-              std::optional<Complex> found = find_new_pole(linear, p, start, meetings);
-              if (!found && about >= from && about < to)
-                found = find_missing_pole(linear, p, start, meetings);
-              if (!found || !(turning * found->real() >= from && turning * found->real() < to))
-                continue;
-              meetings.emplace_back();
-              meetings.back().mesh_order = p;
-              meetings.back().rate       = *found;
-            }
-      }
+    for (unsigned int p = 1; p <= mesh_orders; ++p)
+      for (const Complex &rate : linear.resonance_rates(p))
+        // What is damped beyond that does not vibrate.
+        if (const double turned = turning * rate.real();
+            turned >= from_rate && turned < highest && std::abs(rate.imag()) < turned)
+          {
+            meetings.emplace_back();
+            meetings.back().mesh_order = p;
+            meetings.back().rate       = rate;
+          }
     std::sort(meetings.begin(), meetings.end(), [](const auto &a, const auto &b) {
       return std::abs(a.rate.real()) < std::abs(b.rate.real());
     });

@@ -1,9 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
 #include <vfife/reduced/resonance/linear_response.h>
 #include <vfife/reduced/resonance/static_passage.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+
+#include <deal.II/lac/lapack_templates.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +15,42 @@ namespace vfife
   using Eigen::MatrixXcd;
   using Eigen::MatrixXd;
   using Eigen::VectorXcd;
+
+  namespace
+  {
+    /** By LAPACK, which is many times faster than Eigen. */
+    std::vector<Complex> find_eigenvalues(MatrixXcd matrix)
+    {
+      using Integer          = dealii::types::blas_int;
+      const Integer        n = matrix.rows(), one = 1;
+      Integer              n_work = -1, info = 0; // asks for the size
+      std::vector<Complex> eigenvalues(n), work(1);
+      std::vector<double>  real_work(2 * std::size_t(n));
+      for (unsigned int call = 0; call < 2; ++call)
+        {
+          dealii::geev("N",
+                       "N",
+                       &n,
+                       matrix.data(),
+                       &n,
+                       eigenvalues.data(),
+                       nullptr,
+                       &one,
+                       nullptr,
+                       &one,
+                       work.data(),
+                       &n_work,
+                       real_work.data(),
+                       &info);
+          if (info != 0)
+            throw NumericalError("the rates of resonances were not found (LAPACK info = " +
+                                 std::to_string(info) + ")");
+          n_work = static_cast<Integer>(work[0].real());
+          work.resize(n_work);
+        }
+      return eigenvalues;
+    }
+  } // namespace
 
   LinearResponse::LinearResponse(const ReducedBody   &body,
                                  const StaticPassage &passage,
@@ -113,62 +151,65 @@ namespace vfife
                   passage_.force(harmonic, p) + moment * per_moment_[harmonic]);
   }
 
-  std::vector<Complex> LinearResponse::free_vibrations(const double rate) const
+  std::vector<Complex> LinearResponse::resonance_rates(const int p) const
   {
-    // In axes that stand in space a harmonic's coordinates are c exp(-i h phi) = q, and with v the
-    // same of c': q' = v - i h phi' q, v' = -K q - (zeta + 2 rate G + i h phi') v + b M, and M =
-    // -(theta + Re sum b^H q)/compliance. Complex numbers are two real ones; of h = 0 one.
-    const auto parts_of = [](const ReducedBody::Harmonic &modes) {
-      return (modes.number == 0 ? 1 : 2) * Eigen::Index(modes.n_modes());
+    // The matrices of answer() at the frequency p z rate are quadratic in the rate, with q = p z +
+    // h for coordinates c and, for their conjugates, q = p z - h. Both, and the turn theta, feel
+    // the moment M = -(theta + Re sum b^H c)/compliance: (A_0 + rate A_1 + rate^2 A_2) x = 0.
+    struct Part
+    {
+      std::size_t harmonic;
+      int         sign;
     };
-    const auto real_form = [](const MatrixXcd &matrix, const unsigned int number) -> MatrixXd {
-      if (number == 0)
-        return matrix.real();
-      MatrixXd form(2 * matrix.rows(), 2 * matrix.cols());
-      form << matrix.real(), -matrix.imag(), matrix.imag(), matrix.real();
-      return form;
-    };
-    Eigen::Index n = 1;
-    double       w = 1; // of any size where no harmonic has modes below the cut-off
-    for (const ReducedBody::Harmonic &modes : body_.harmonics)
-      {
-        n += parts_of(modes);
-        if (modes.n_modes() > 0)
-          w = std::max(w, std::sqrt(modes.eigenvalues.maxCoeff()));
-      }
-    // Times w and velocities over w: numbers of one size. The turn is the last coordinate.
-    MatrixXd        system = MatrixXd::Zero(2 * n, 2 * n);
-    Eigen::VectorXd load(n);
-    Eigen::Index    first = 0;
+    std::vector<Part> parts;
+    Eigen::Index      n = 1;
     for (std::size_t k = 0; k < body_.harmonics.size(); ++k)
+      for (const int sign : {1, -1})
+        // Coordinates without diameters are real.
+        if (sign == 1 || body_.harmonics[k].number > 0)
+          {
+            parts.push_back({k, sign});
+            n += body_.harmonics[k].n_modes();
+          }
+    const double z  = p * double(body_.n_sectors);
+    MatrixXcd    A0 = MatrixXcd::Zero(n, n), A2 = MatrixXcd::Zero(n, n);
+    VectorXcd    A1(n), load(n);
+    Eigen::Index first = 0;
+    for (const Part &part : parts)
       {
-        const ReducedBody::Harmonic &modes = body_.harmonics[k];
-        const Eigen::Index           m = modes.n_modes(), parts = parts_of(modes);
-        const Complex shift     = imaginary_unit * double(modes.number) * sense_ * rate / w;
-        MatrixXcd     stiffness = (rate * rate - body_.rate * body_.rate) * modes.spin_stiffness;
-        stiffness += modes.eigenvalues.cast<Complex>().asDiagonal();
-        MatrixXcd damping = 2. * rate / w * modes.coriolis;
-        damping.diagonal().array() += damping_.modes / w + shift;
-        system.block(first, first, parts, parts) =
-          -real_form(shift * MatrixXcd::Identity(m, m), modes.number);
-        system.block(first, n + first, parts, parts).setIdentity();
-        system.block(n + first, first, parts, parts) =
-          -real_form(stiffness / (w * w), modes.number);
-        system.block(n + first, n + first, parts, parts) = -real_form(damping, modes.number);
-        const VectorXcd &b                               = per_moment_[k];
-        load.segment(first, m)                           = b.real();
-        if (parts > m)
-          load.segment(first + m, m) = b.imag();
-        first += parts;
+        const ReducedBody::Harmonic &modes = body_.harmonics[part.harmonic];
+        const Eigen::Index           m     = modes.n_modes();
+        const double                 q     = z + part.sign * double(modes.number);
+        const auto                   of    = [&](const MatrixXcd &matrix) -> MatrixXcd {
+          return part.sign > 0 ? matrix : matrix.conjugate();
+        };
+        A0.block(first, first, m, m) = -body_.rate * body_.rate * of(modes.spin_stiffness);
+        A0.block(first, first, m, m) += modes.eigenvalues.cast<Complex>().asDiagonal();
+        A1.segment(first, m).setConstant(imaginary_unit * damping_.modes * sense_ * q);
+        A2.block(first, first, m, m) =
+          of(modes.spin_stiffness) + 2. * imaginary_unit * sense_ * q * of(modes.coriolis);
+        A2.block(first, first, m, m).diagonal().array() -= q * q;
+        load.segment(first, m) =
+          (modes.number == 0 ? 1. : std::sqrt(.5)) * of(per_moment_[part.harmonic]);
+        first += m;
       }
-    load[n - 1]                  = 1. / std::sqrt(body_.turn_inertia);
-    system(n - 1, 2 * n - 1)     = 1.;
-    system(2 * n - 1, 2 * n - 1) = -damping_.turn / w;
-    system.bottomLeftCorner(n, n) -= load * load.transpose() / (compliance_ * w * w);
-    const Eigen::EigenSolver<MatrixXd> solver(system, false);
-    std::vector<Complex>               exponents;
-    for (Eigen::Index k = 0; k < 2 * n; ++k)
-      exponents.push_back(w * solver.eigenvalues()[k]);
-    return exponents;
+    A1[first]        = imaginary_unit * damping_.turn * sense_ * z;
+    A2(first, first) = -z * z;
+    load[first]      = 1. / std::sqrt(body_.turn_inertia);
+    A0 += load * load.adjoint() / compliance_;
+
+    // Eigenvalues of the companion matrix, of rates over one of their size.
+    const Eigen::PartialPivLU<MatrixXcd> inertia(A2);
+    const MatrixXcd                      stiffness = inertia.solve(A0),
+                    damping                        = inertia.solve(MatrixXcd(A1.asDiagonal()));
+    const double size      = std::sqrt(stiffness.diagonal().cwiseAbs().maxCoeff());
+    MatrixXcd    companion = MatrixXcd::Zero(2 * n, 2 * n);
+    companion.topRightCorner(n, n).setIdentity();
+    companion.bottomLeftCorner(n, n)  = -stiffness / (size * size);
+    companion.bottomRightCorner(n, n) = -damping / size;
+    std::vector<Complex> rates        = find_eigenvalues(std::move(companion));
+    for (Complex &rate : rates)
+      rate *= size;
+    return rates;
   }
 } // namespace vfife

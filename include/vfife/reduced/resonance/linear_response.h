@@ -52,9 +52,10 @@ namespace vfife
     /** Frequency of the mesh harmonic @p p, in axes that stand in space [rad/s]. */
     std::complex<double> mesh_frequency(int p, const std::complex<double> &rate) const;
 
-    /** Free vibrations in contact at @p rate: exponents of exp(lambda t) in axes that stand in
-     * space [1/s], both of each pair of conjugates. */
-    std::vector<std::complex<double>> free_vibrations(double rate) const;
+    /** All rates at which the mesh harmonic @p p > 0 has the frequency of a free vibration in
+     * contact, in both senses of rotation [rad/s]: zeros of loop_compliance() at mesh_frequency().
+     * Vibrations that the contact does not feel are among them. */
+    std::vector<std::complex<double>> resonance_rates(int p) const;
 
     const ReducedBody &body() const
     {
