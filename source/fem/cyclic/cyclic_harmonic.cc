@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 // Matrices act on real and imaginary parts alike, and x^T A y = Re(z^H A w) of the phasors of x
 // and y.
@@ -35,65 +36,30 @@ namespace vfife
       return product;
     }
 
+    /** Of a function. */
+    class Operator : public ColumnOperator
+    {
+    public:
+      using Act = std::function<void(const Columns &x, Columns &y)>;
+
+      explicit Operator(Act act)
+        : act_(std::move(act))
+      {
+      }
+      void apply(const Columns &x, Columns &y) const override
+      {
+        act_(x, y);
+      }
+
+    private:
+      Act act_;
+    };
+
     VectorXd as_vector(const std::vector<double> &x)
     {
       return Eigen::Map<const VectorXd>(x.data(), x.size());
     }
   } // namespace
-
-  /** M of the harmonic. */
-  class CyclicHarmonic::Mass : public ColumnOperator
-  {
-  public:
-    explicit Mass(const CyclicHarmonic &of)
-      : of_(of)
-    {
-    }
-    void apply(const Columns &x, Columns &y) const override
-    {
-      of_.unknowns_.fold(of_.sector_.mass() * of_.unknowns_.expand(x), y);
-    }
-
-  private:
-    const CyclicHarmonic &of_;
-  };
-
-  /** K of the harmonic, with bearings and couplings. */
-  class CyclicHarmonic::Stiffness : public ColumnOperator
-  {
-  public:
-    explicit Stiffness(const CyclicHarmonic &of)
-      : of_(of)
-    {
-    }
-    void apply(const Columns &x, Columns &y) const override
-    {
-      const MatrixXd u      = of_.unknowns_.expand(x);
-      MatrixXd       forces = of_.sector_.stiffness() * u;
-      of_.unknowns_.add_ring_forces(u, forces);
-      of_.unknowns_.fold(forces, y);
-    }
-
-  private:
-    const CyclicHarmonic &of_;
-  };
-
-  /** K^-1 M of the harmonic; a free turn is mapped to zero. */
-  class CyclicHarmonic::Inverse : public ColumnOperator
-  {
-  public:
-    explicit Inverse(const CyclicHarmonic &of)
-      : of_(of)
-    {
-    }
-    void apply(const Columns &x, Columns &y) const override
-    {
-      of_.unknowns_.take(of_.solve(of_.sector_.mass() * of_.unknowns_.expand(x)), y);
-    }
-
-  private:
-    const CyclicHarmonic &of_;
-  };
 
   CyclicHarmonic::CyclicHarmonic(const CyclicSector &sector, const unsigned int number)
     : sector_(sector)
@@ -155,49 +121,62 @@ namespace vfife
     const unsigned int n_below = count_modes();
     if (n_below == 0)
       return {VectorXd(), MatrixXcd(sector_.system().constraints().n(), 0)};
-    const std::string  name     = "body \"" + sector_.body().body().name() + "\": ";
     const unsigned int n_wanted = unknowns_.n_parts() * n_below,
                        most     = ModalSolver::largest_number(unknowns_.n());
     if (n_wanted > most)
-      throw InputError(
-        name + "its mesh has " + std::to_string(n_below) + " modes of " + std::to_string(number_) +
-        " nodal diameters below the cut-off, too many for its " + std::to_string(unknowns_.n()) +
-        " unknowns; lower the cut-off or refine the mesh");
+      throw InputError("body \"" + sector_.body().body().name() + "\": its mesh has " +
+                       std::to_string(n_below) + " modes of " + std::to_string(number_) +
+                       " nodal diameters below the cut-off, too many for its " +
+                       std::to_string(unknowns_.n()) +
+                       " unknowns; lower the cut-off or refine the mesh");
 
-    const Mass          M(*this);
-    const Inverse       inverse(*this);
-    const VectorXd      diagonal = sector_.mass().diagonal();
-    const Communicator &alone    = sector_.body().communicator();
+    return make_complex(find_pairs(n_wanted, most));
+  }
+
+  EigenPairs CyclicHarmonic::find_pairs(const unsigned int n, const unsigned int most) const
+  {
+    const Operator mass([this](const Columns &x, Columns &y) {
+      unknowns_.fold(sector_.mass() * unknowns_.expand(x), y);
+    });
+    const Operator stiffness([this](const Columns &x, Columns &y) {
+      const MatrixXd u      = unknowns_.expand(x);
+      MatrixXd       forces = sector_.stiffness() * u;
+      unknowns_.add_ring_forces(u, forces);
+      unknowns_.fold(forces, y);
+    });
+    // K^-1 M; a free turn is mapped to zero.
+    const Operator      inverse([this](const Columns &x, Columns &y) {
+      unknowns_.take(solve(sector_.mass() * unknowns_.expand(x)), y);
+    });
+    const Communicator &alone = sector_.body().communicator();
     Columns             masses(alone, unknowns_.n(), 1);
-    unknowns_.take(diagonal.replicate(1, unknowns_.n_parts()), masses);
-    const double limit     = sector_.cutoff() * sector_.cutoff(),
-                 tolerance = sector_.body().options().eigen_tolerance;
+    unknowns_.take(VectorXd(sector_.mass().diagonal()).replicate(1, unknowns_.n_parts()), masses);
+    const MassOperator M{mass,
+                         OwnedVector(masses[0].data(), masses[0].data() + unknowns_.n()),
+                         0,
+                         alone};
+    const double       limit = sector_.cutoff() * sector_.cutoff();
     // As many of them as there are; where the search has missed one, more.
     for (unsigned int attempt = 0; attempt < 3; ++attempt)
       {
-        EigenPairs pairs =
-          solve_shift_invert(M,
-                             inverse,
-                             OwnedVector(masses[0].data(), masses[0].data() + unknowns_.n()),
-                             0,
-                             alone,
-                             0.,
-                             std::min(most, n_wanted + 4 * attempt),
-                             tolerance);
-        const auto n_found =
-          std::lower_bound(pairs.values.begin(), pairs.values.end(), limit) - pairs.values.begin();
-        if (n_found != n_wanted)
+        EigenPairs pairs = solve_shift_invert(M,
+                                              inverse,
+                                              0.,
+                                              std::min(most, n + 4 * attempt),
+                                              sector_.body().options().eigen_tolerance);
+        if (std::lower_bound(pairs.values.begin(), pairs.values.end(), limit) !=
+            pairs.values.begin() + n)
           continue;
-        pairs.values.resize(n_wanted);
-        pairs.vectors.resize(n_wanted);
-        const std::vector<double> residuals =
-          compute_residuals(Stiffness(*this), M, alone, pairs, 0.);
-        for (unsigned int k = 0; k < n_wanted; ++k)
+        pairs.values.resize(n);
+        pairs.vectors.resize(n);
+        const std::vector<double> residuals = compute_residuals(stiffness, mass, alone, pairs, 0.);
+        for (unsigned int k = 0; k < n; ++k)
           check_residual(residuals[k], std::sqrt(std::abs(pairs.values[k])) / (2. * pi));
-        check_orthogonality(compute_orthogonality_defect(M, alone, pairs.vectors));
-        return make_complex(pairs);
+        check_orthogonality(compute_orthogonality_defect(mass, alone, pairs.vectors));
+        return pairs;
       }
-    throw NumericalError(name + "the number of modes with " + std::to_string(number_) +
+    throw NumericalError("body \"" + sector_.body().body().name() +
+                         "\": the number of modes with " + std::to_string(number_) +
                          " nodal diameters differs from the count of a factorization");
   }
 

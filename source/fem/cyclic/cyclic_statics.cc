@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/fem/cyclic/cyclic_sector.h>
 #include <vfife/fem/cyclic/cyclic_statics.h>
 #include <vfife/model/body_frame.h>
 
@@ -25,6 +26,8 @@ namespace vfife
     constraints.open     = true;
     constraints.rotation = hub_;
     sector_ = std::make_unique<FemSystem>(body_.sector(), constraints, body_.communicator());
+    // No bearings, and the angle of a rigid hub is no unknown.
+    border_ = SectorUnknowns(*sector_).kept();
     factorize();
     if (pinned_)
       find_pin();
@@ -52,30 +55,10 @@ namespace vfife
       }
   }
 
-  std::vector<unsigned int> CyclicStatics::find_border() const
-  {
-    const FemConstraints     &constraints = sector_->constraints();
-    std::vector<unsigned int> border[2];
-    for (const auto &[image, original] : body_.sector().images())
-      // A point that hangs moves with others of its border.
-      for (const auto &[point, side] : {std::pair(original, 0), std::pair(image, 1)})
-        {
-          std::set<unsigned int> own;
-          if (body_.sector().hanging().count(point) != 0)
-            continue;
-          for (unsigned int c = 0; c < 3; ++c)
-            for (const auto &term : constraints.line(3 * std::size_t(point) + c))
-              own.insert(term.first);
-          border[side].insert(border[side].end(), own.begin(), own.end());
-        }
-    border[0].insert(border[0].end(), border[1].begin(), border[1].end());
-    return border[0];
-  }
-
   void CyclicStatics::factorize()
   {
     const SystemMatrices matrices(*sector_, body_.options().mass, body_.options().strain);
-    condensed_ = std::make_unique<Condensation>(body_.stiffness(matrices), find_border());
+    condensed_               = std::make_unique<Condensation>(body_.stiffness(matrices), border_);
     const Eigen::MatrixXd &S = condensed_->border_matrix();
     if (pinned_)
       {
@@ -102,11 +85,10 @@ namespace vfife
 
   Eigen::VectorXd CyclicStatics::turn_of_border() const
   {
-    const OwnedVector turn   = sector_->restrict_field(body_.turn());
-    const auto        border = find_border();
-    Eigen::VectorXd   x(border.size() / 2); // of both borders
+    const OwnedVector turn = sector_->restrict_field(body_.turn());
+    Eigen::VectorXd   x(border_.size() / 2); // of both borders
     for (Eigen::Index b = 0; b < x.size(); ++b)
-      x[b] = turn[border[b]];
+      x[b] = turn[border_[b]];
     return x;
   }
 
@@ -123,10 +105,9 @@ namespace vfife
     std::vector<double> force(3 * std::size_t(copies_.n_points()), 0.);
     Eigen::Map<Vector3>(force.data() + 3 * std::size_t(pin_)) = tangent;
 
-    const auto      border = find_border();
-    Eigen::MatrixXd b      = Eigen::MatrixXd::Zero(sector_->constraints().n(), n_sectors);
+    Eigen::MatrixXd b = Eigen::MatrixXd::Zero(sector_->constraints().n(), n_sectors);
     for (Eigen::Index i = 0; i < turn_.motion.size(); ++i)
-      b.row(border[i]).setConstant(turn_.motion[i]);
+      b.row(border_[i]).setConstant(turn_.motion[i]);
     const Eigen::MatrixXd     Ab      = solve_sectors(b);
     const std::vector<double> of_pin  = expand(solve_sectors(restrict_forces(force))),
                               of_turn = expand(Ab);

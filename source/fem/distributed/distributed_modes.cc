@@ -112,12 +112,9 @@ namespace vfife
     });
     const unsigned int      first =
       space.level().owned().n_elements() > 0 ? *space.level().owned().begin() : 0;
-    return solve_lobpcg(shifted,
+    return solve_lobpcg({mass, owned_part(elastic.mass_diagonal()), first, communicator},
+                        shifted,
                         cycle,
-                        mass,
-                        owned_part(elastic.mass_diagonal()),
-                        first,
-                        communicator,
                         shift,
                         n,
                         options.eigen_tolerance);

@@ -51,6 +51,14 @@ namespace vfife
       const DirectSolver &factors_;
     };
 
+    MassOperator make_operator(const SparseMatrix &M, const FemMatrix &mass)
+    {
+      return {M,
+              mass.diagonal(),
+              static_cast<unsigned int>(mass.pattern().first_row),
+              mass.communicator()};
+    }
+
     /** A x. */
     Columns apply(const ColumnOperator &A, const Columns &x)
     {
@@ -61,26 +69,23 @@ namespace vfife
 
     /** Start vectors that depend on the global number only: the same on any number of ranks. Zero
      * where unknowns have no mass: they are padding. */
-    Teuchos::RCP<Columns> make_start(const OwnedVector  &mass_diagonal,
-                                     const unsigned int  first_row,
-                                     const Communicator &communicator,
-                                     const unsigned int  n)
+    Teuchos::RCP<Columns> make_start(const MassOperator &mass, const unsigned int n)
     {
-      const std::size_t n_rows = mass_diagonal.size();
-      const auto        start  = Teuchos::rcp(new Columns(communicator, n_rows, n));
+      const std::size_t n_rows = mass.diagonal.size();
+      const auto        start  = Teuchos::rcp(new Columns(mass.communicator, n_rows, n));
       for (unsigned int k = 0; k < n; ++k)
         for (std::size_t i = 0; i < n_rows; ++i)
           {
             // The finalizer of splitmix64 (Steele, Lea & Flood 2014) on number and column; its
             // upper 53 bits become a number in [-1, 1).
-            const unsigned int global = first_row + i;
+            const unsigned int global = mass.first_row + i;
             std::uint64_t      bits =
               (global + 1ull) * 0x9E3779B97F4A7C15ull + k * 0xBF58476D1CE4E5B9ull;
             bits = (bits ^ (bits >> 30)) * 0xBF58476D1CE4E5B9ull;
             bits = (bits ^ (bits >> 27)) * 0x94D049BB133111EBull;
             bits ^= bits >> 31;
             (*start)[k][i] =
-              mass_diagonal[i] > 0 ? static_cast<double>(bits >> 11) * 0x1p-52 - 1. : 0.;
+              mass.diagonal[i] > 0 ? static_cast<double>(bits >> 11) * 0x1p-52 - 1. : 0.;
           }
       return start;
     }
@@ -169,21 +174,11 @@ namespace vfife
                                 const double        tolerance)
   {
     const SparseMatrix M(mass);
-    return solve_shift_invert(M,
-                              ShiftInvert(M, factors),
-                              mass.diagonal(),
-                              mass.pattern().first_row,
-                              mass.communicator(),
-                              shift,
-                              n,
-                              tolerance);
+    return solve_shift_invert(make_operator(M, mass), ShiftInvert(M, factors), shift, n, tolerance);
   }
 
-  EigenPairs solve_shift_invert(const ColumnOperator &mass,
+  EigenPairs solve_shift_invert(const MassOperator   &mass,
                                 const ColumnOperator &inverse,
-                                const OwnedVector    &mass_diagonal,
-                                const unsigned int    first_row,
-                                const Communicator   &communicator,
                                 const double          shift,
                                 const unsigned int    n,
                                 const double          tolerance)
@@ -191,11 +186,10 @@ namespace vfife
     // The largest mu = 1/(lambda - shift) of (K - shift M)^-1 M are the lowest lambda above the
     // shift, far apart from each other: few Krylov vectors are needed.
     // Two vectors a block: both members of a double mode enter the Krylov space from the start.
-    constexpr unsigned int block = 2;
-    const auto             problem =
-      Teuchos::rcp(new Problem(Teuchos::rcpFromRef(inverse),
-                               Teuchos::rcpFromRef(mass),
-                               make_start(mass_diagonal, first_row, communicator, block)));
+    constexpr unsigned int block   = 2;
+    const auto             problem = Teuchos::rcp(new Problem(Teuchos::rcpFromRef(inverse),
+                                                  Teuchos::rcpFromRef(mass.apply),
+                                                  make_start(mass, block)));
     // Round-off makes complex pairs of exactly double values; where such a pair meets the end of
     // the kept space, Anasazi's restart for symmetric operators writes beyond its memory. The other
     // one keeps pairs together, real and imaginary part spanning the same space.
@@ -208,11 +202,11 @@ namespace vfife
     Anasazi::BlockKrylovSchurSolMgr<double, Columns, ColumnOperator> solver(problem, list);
     solver.solve();
     EigenPairs pairs = take_pairs(*problem, n, solver.getNumIters());
-    make_symmetric(mass, inverse, communicator, pairs);
+    make_symmetric(mass.apply, inverse, mass.communicator, pairs);
     // The operator's eigenvalues are mu = 1/(lambda - shift).
     for (double &value : pairs.values)
       value = shift + 1. / value;
-    normalize(mass, communicator, pairs);
+    normalize(mass.apply, mass.communicator, pairs);
     return pairs;
   }
 
@@ -224,34 +218,24 @@ namespace vfife
                           const double                    tolerance)
   {
     const MultigridSolver multigrid(add_scaled(stiffness, -shift, mass), near_kernel);
-    return solve_lobpcg(multigrid.matrix(),
-                        multigrid.cycle(),
-                        SparseMatrix(mass),
-                        mass.diagonal(),
-                        mass.pattern().first_row,
-                        mass.communicator(),
-                        shift,
-                        n,
-                        tolerance);
+    const SparseMatrix    M(mass);
+    return solve_lobpcg(
+      make_operator(M, mass), multigrid.matrix(), multigrid.cycle(), shift, n, tolerance);
   }
 
-  EigenPairs solve_lobpcg(const ColumnOperator &A,
+  EigenPairs solve_lobpcg(const MassOperator   &mass,
+                          const ColumnOperator &A,
                           const ColumnOperator &inverse,
-                          const ColumnOperator &mass,
-                          const OwnedVector    &mass_diagonal,
-                          const unsigned int    first_row,
-                          const Communicator   &communicator,
                           const double          shift,
                           const unsigned int    n,
                           const double          tolerance)
   {
     // Some vectors beyond those asked for: how fast the last one converges depends on the gap
     // behind the block.
-    const unsigned int block = n + 4;
-    const auto         problem =
-      Teuchos::rcp(new Problem(Teuchos::rcpFromRef(A),
-                               Teuchos::rcpFromRef(mass),
-                               make_start(mass_diagonal, first_row, communicator, block)));
+    const unsigned int block   = n + 4;
+    const auto         problem = Teuchos::rcp(new Problem(Teuchos::rcpFromRef(A),
+                                                  Teuchos::rcpFromRef(mass.apply),
+                                                  make_start(mass, block)));
     problem->setPrec(Teuchos::rcpFromRef(inverse));
     // Here K - shift M and M are both symmetric, and all steps are Rayleigh and Ritz.
     problem->setHermitian(true);
@@ -268,7 +252,7 @@ namespace vfife
     EigenPairs pairs = take_pairs(*problem, n, solver.getNumIters());
     for (double &value : pairs.values)
       value += shift;
-    normalize(mass, communicator, pairs);
+    normalize(mass.apply, mass.communicator, pairs);
     return pairs;
   }
 

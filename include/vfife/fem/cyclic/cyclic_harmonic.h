@@ -78,9 +78,6 @@ namespace vfife
     }
 
   private:
-    class Mass;
-    class Stiffness;
-    class Inverse;
     /** The rigid turn of a free hub in h = 0: M-orthogonal to all fields, of which forces with a
      * moment about the axis are freed. */
     struct Turn
@@ -92,7 +89,9 @@ namespace vfife
     void         find_turn();
     void         factorize();
     unsigned int count_modes() const;
-    CyclicModes  make_complex(const EigenPairs &pairs) const;
+    /** The @p n vectors below the cut-off, of @p most that can be found. */
+    EigenPairs  find_pairs(unsigned int n, unsigned int most) const;
+    CyclicModes make_complex(const EigenPairs &pairs) const;
     /** Displacements of the open sector under forces on it, parts of phasors (a column each). */
     Eigen::MatrixXd solve(Eigen::MatrixXd forces) const;
     /** The same, with forces whose moment the turn does not take: K + s b b^T, b the turn of the

@@ -67,9 +67,8 @@ namespace vfife
     void find_hub(const Model &model, unsigned int body);
     /** Puts the displacements of the sector's points @p u into those of sector @p k. */
     void add_sector(unsigned int k, const std::vector<double> &u, std::vector<double> &all) const;
-    std::vector<unsigned int> find_border() const;
-    void                      factorize();
-    Matrix3                   turned(unsigned int sector) const;
+    void factorize();
+    Matrix3 turned(unsigned int sector) const;
     /** Part of border 0 in the turn of the body. */
     Eigen::VectorXd turn_of_border() const;
     void            find_pin();
@@ -85,6 +84,7 @@ namespace vfife
     const Communicator              &communicator_;
     HubRotation                      hub_ = HubRotation::pinned; ///< of the sector's unknowns
     std::unique_ptr<FemSystem>       sector_; ///< open: its images are points of their own
+    std::vector<unsigned int>        border_; ///< its unknowns on border 0, then on border 1
     std::unique_ptr<Condensation>    condensed_;
     std::unique_ptr<BorderHarmonics> borders_;
 

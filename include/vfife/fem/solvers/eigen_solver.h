@@ -27,15 +27,19 @@ namespace vfife
                                 unsigned int        n,
                                 double              tolerance);
 
-  /**
-   * The @p n eigenvalues nearest to @p shift, on both sides of it, of operators: M and @p inverse,
-   * (K - shift M)^-1 M. @p mass_diagonal: owned entries of M from row @p first_row on.
-   */
-  EigenPairs solve_shift_invert(const ColumnOperator &mass,
+  /** M of an eigenvalue problem, with what start vectors depend on. */
+  struct MassOperator
+  {
+    const ColumnOperator &apply;
+    OwnedVector           diagonal;      ///< owned entries, zero where nothing moves
+    unsigned int          first_row = 0; ///< of them
+    const Communicator   &communicator;
+  };
+
+  /** The @p n eigenvalues nearest to @p shift, on both sides of it; @p inverse is
+   * (K - shift M)^-1 M. */
+  EigenPairs solve_shift_invert(const MassOperator   &mass,
                                 const ColumnOperator &inverse,
-                                const OwnedVector    &mass_diagonal,
-                                unsigned int          first_row,
-                                const Communicator   &communicator,
                                 double                shift,
                                 unsigned int          n,
                                 double                tolerance);
@@ -51,16 +55,10 @@ namespace vfife
                           unsigned int                    n,
                           double                          tolerance);
 
-  /**
-   * The same of operators: A = K - shift M, about its inverse, and M. @p mass_diagonal: owned
-   * entries of M from row @p first_row on, zero where nothing moves.
-   */
-  EigenPairs solve_lobpcg(const ColumnOperator &A,
+  /** The same of A = K - shift M and about its inverse. */
+  EigenPairs solve_lobpcg(const MassOperator   &mass,
+                          const ColumnOperator &A,
                           const ColumnOperator &inverse,
-                          const ColumnOperator &mass,
-                          const OwnedVector    &mass_diagonal,
-                          unsigned int          first_row,
-                          const Communicator   &communicator,
                           double                shift,
                           unsigned int          n,
                           double                tolerance);
