@@ -190,11 +190,11 @@ namespace vfife
     // two vectors of their plane, or any four where two modes have one frequency. As phasors they
     // span half as many dimensions: the Hermitian products of all of them have the eigenvalues 2
     // and 0.
-    const Eigen::SelfAdjointEigenSolver<MatrixXcd> planes(
-      hermitian_part(z.adjoint() * multiply(sector_.mass(), z)));
-    const Index     n      = z.cols() / 2;
-    const VectorXd &values = planes.eigenvalues();
-    const double    defect = std::max(values.head(n).cwiseAbs().maxCoeff(),
+    const MatrixXcd H = hermitian_part(z.adjoint() * multiply(sector_.mass(), z));
+    const Eigen::SelfAdjointEigenSolver<MatrixXcd> planes(H);
+    const Index                                    n      = z.cols() / 2;
+    const VectorXd                                &values = planes.eigenvalues();
+    const double defect = std::max(values.head(n).cwiseAbs().maxCoeff(),
                                    (values.tail(n).array() - 2.).abs().maxCoeff());
     if (!(defect < 1e-6))
       throw NumericalError("body \"" + sector_.body().body().name() + "\": modes with " +
@@ -202,8 +202,7 @@ namespace vfife
     const MatrixXcd basis =
       planes.eigenvectors().rightCols(n) * values.tail(n).cwiseSqrt().cwiseInverse().asDiagonal();
     // The stiffness of all vectors is known from their values.
-    const VectorXcd lambda = as_vector(pairs.values).cast<Complex>();
-    const MatrixXcd H      = hermitian_part(z.adjoint() * multiply(sector_.mass(), z));
+    const VectorXcd                                lambda = as_vector(pairs.values).cast<Complex>();
     const Eigen::SelfAdjointEigenSolver<MatrixXcd> modes(
       hermitian_part(basis.adjoint() * H * lambda.asDiagonal() * basis));
     return {modes.eigenvalues(), scale() * (z * (basis * modes.eigenvectors()))};
@@ -237,19 +236,14 @@ namespace vfife
     return forces;
   }
 
-  void CyclicHarmonic::take_turn_from(MatrixXd &u) const
-  {
-    if (turn_)
-      u -= turn_->motion * (turn_->momentum.transpose() * u) / turn_->inertia;
-  }
-
   MatrixXd CyclicHarmonic::solve(MatrixXd forces) const
   {
     // With P = 1 - M r r^T/(r^T M r), r the turn: P f has no moment, and P^T u no part of the turn.
-    if (turn_)
-      forces -= turn_->momentum * (turn_->motion.transpose() * forces) / turn_->inertia;
+    if (!turn_)
+      return solve_pinned(std::move(forces));
+    forces -= turn_->momentum * (turn_->motion.transpose() * forces) / turn_->inertia;
     MatrixXd u = solve_pinned(std::move(forces));
-    take_turn_from(u);
+    u -= turn_->motion * (turn_->momentum.transpose() * u) / turn_->inertia;
     return u;
   }
 

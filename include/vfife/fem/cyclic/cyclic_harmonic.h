@@ -5,7 +5,6 @@
 #include <vfife/fem/cyclic/harmonic_unknowns.h>
 #include <vfife/fem/solvers/hermitian_solver.h>
 
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -97,8 +96,6 @@ namespace vfife
     /** The same, with forces whose moment the turn does not take: K + s b b^T, b the turn of the
      * borders, is factorized, since K alone has no stiffness against it. */
     Eigen::MatrixXd solve_pinned(Eigen::MatrixXd forces) const;
-    /** Of real fields of the open sector, 0 where the hub is not free. */
-    void take_turn_from(Eigen::MatrixXd &u) const;
     /** Phasors of rows from those of their parts. */
     Eigen::MatrixXcd sum_parts(const Eigen::MatrixXcd &parts) const;
     double           scale() const;
