@@ -39,8 +39,8 @@ namespace vfife
         "Element type: 8 nodes with incompatible modes; 8 nodes with full integration (locks in "
         "bending); quadratic (27 nodes); cubic (64 nodes). auto: quadratic on the exact surfaces "
         "where one sector of each body is factorized (loaded tooth contact analysis without "
-        "bearings and coupled modes and with at most 50000 elements, modal analysis with cyclic "
-        "symmetry), otherwise incompatible modes");
+        "coupled modes and with at most 50000 elements, modal analysis with cyclic symmetry), "
+        "otherwise incompatible modes");
       declare_choice(prm,
                      "geometry",
                      options.geometry,
@@ -218,6 +218,6 @@ namespace vfife
     std::size_t           n             = 0;
     for (const Body &body : model.bodies)
       n += body.n_elements();
-    return model.bearings.empty() && model.couplings.empty() && n <= most_elements;
+    return n <= most_elements;
   }
 } // namespace vfife

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/log.h>
+#include <vfife/model/model.h>
 #include <vfife/reduced/reduced_options.h>
 
 #include <deal.II/base/exceptions.h>
@@ -89,10 +90,12 @@ namespace vfife
     return cutoff > 0 ? cutoff : std::max(least, kept_orders * mesh_frequency);
   }
 
-  void ReducedOptions::choose_elements(const bool afford, Log &log)
+  void ReducedOptions::choose_elements(const Model &model, Log &log, const bool as_runs)
   {
     if (elements != BodyElements::automatic)
       return;
+    const bool afford = !as_runs && model.bearings.empty() && model.couplings.empty() &&
+                        affords_quadratic_elements(model);
     elements = afford ? BodyElements::quadratic : BodyElements::as_run;
     log.line("Reduced/element type = auto: ",
              afford ? "quadratic elements on the exact surfaces" : "as the run");

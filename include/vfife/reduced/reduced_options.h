@@ -45,9 +45,10 @@ namespace vfife
     /** The cut-off of the entry, or six orders of the mesh frequency and at least @p least [Hz]. */
     double find_cutoff(double mesh_frequency, double least) const;
 
-    /** Elements of element type auto: quadratic elements where a study can @p afford them, else
-     * those of runs. */
-    void choose_elements(bool afford, Log &log);
+    /** Elements of element type auto: quadratic elements where affords_quadratic_elements() and
+     * where the model has no bearings and couplings, whose shafts need 10 GB; else, and where a
+     * study is to have the elements @p as_runs, those of runs. */
+    void choose_elements(const Model &model, Log &log, bool as_runs = false);
 
     /** Finite elements of the bodies; those of a run have this @p stiffness. Elements must have
      * been chosen. */

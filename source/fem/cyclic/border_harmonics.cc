@@ -4,10 +4,10 @@
 
 namespace vfife
 {
-  BorderHarmonics::BorderHarmonics(const Eigen::MatrixXd &S,
-                                   const unsigned int     n_sectors,
-                                   const TurnOfBorders   &turn,
-                                   const Communicator    &communicator)
+  BorderHarmonics::BorderHarmonics(const Eigen::MatrixXd          &S,
+                                   const unsigned int              n_sectors,
+                                   const std::vector<BorderBrace> &braces,
+                                   const Communicator             &communicator)
     : n_border_(S.rows() / 2)
     , n_sectors_(n_sectors)
     , phase_(n_sectors)
@@ -16,25 +16,23 @@ namespace vfife
     for (unsigned int h = communicator.rank(); 2 * h <= n_sectors && positive_;
          h += communicator.size())
       {
-        harmonics_.push_back({h, HermitianFactor(make_matrix(S, h, turn))});
+        harmonics_.push_back({h, HermitianFactor(make_matrix(S, h, braces))});
         positive_ = harmonics_.back().factor.is_positive();
       }
   }
 
-  Eigen::MatrixXcd BorderHarmonics::make_matrix(const Eigen::MatrixXd &S,
-                                                const unsigned int     number,
-                                                const TurnOfBorders   &turn) const
+  Eigen::MatrixXcd BorderHarmonics::make_matrix(const Eigen::MatrixXd          &S,
+                                                const unsigned int              number,
+                                                const std::vector<BorderBrace> &braces) const
   {
     // The energy of the sectors' borders x_k, x_(k+1) = x_k exp(i h alpha).
     const unsigned int n = n_border_;
     Eigen::MatrixXcd   A = (S.topLeftCorner(n, n) + S.bottomRightCorner(n, n)).cast<Complex>() +
                          phase_(number, 1) * S.topRightCorner(n, n).cast<Complex>() +
                          std::conj(phase_(number, 1)) * S.bottomLeftCorner(n, n).cast<Complex>();
-    if (number == 0 && turn.motion.size() > 0)
-      {
-        const Eigen::VectorXcd motion = turn.motion.cast<Complex>();
-        A += turn.stiffness * motion * motion.adjoint();
-      }
+    for (const BorderBrace &brace : braces)
+      if (brace.harmonic == number)
+        A += brace.stiffness * brace.motion * brace.motion.adjoint();
     return A;
   }
 

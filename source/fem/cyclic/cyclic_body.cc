@@ -152,9 +152,8 @@ namespace vfife
 
   FemMatrix CyclicBody::stiffness(const SystemMatrices &matrices) const
   {
-    return rotating_.deforms_at(rate_)
-             ? matrices.spinning_stiffness(equilibrium_, constant_rate(rate_))
-             : matrices.stiffness(constant_rate(0.));
+    return deforms() ? matrices.spinning_stiffness(equilibrium_, constant_rate(rate_))
+                     : matrices.stiffness(constant_rate(0.));
   }
 
   void CyclicBody::find_turn()

@@ -225,6 +225,8 @@ namespace vfife
             low        = low.cwiseMin(corners[k]);
             high       = high.cwiseMax(corners[k]);
           }
+        low  = low.cwiseMax(-plane.reach);
+        high = high.cwiseMin(plane.reach);
         for (int i = std::ceil(low[0]); i <= std::floor(high[0]); ++i)
           for (int j = std::ceil(low[1]); j <= std::floor(high[1]); ++j)
             {

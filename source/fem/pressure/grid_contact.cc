@@ -58,6 +58,10 @@ namespace vfife
     /** A long contact has three times as many cells along as across, and these are at most so many
      * times as long as they are wide. */
     constexpr double most_stretch = 8.;
+    /** Of a finer grid: it reaches so many extents of what carries to each side. */
+    constexpr double reached = 3.;
+    /** A corner that touches has no width: cells have at least this part of a facet. */
+    constexpr double least_side = 1e-3;
   } // namespace
 
   std::size_t GridPressure::largest() const
@@ -160,8 +164,12 @@ namespace vfife
         found.area += area / cosine;
         bool at_edge = false;
         for (const auto &step : {std::array<int, 2>{{1, 0}}, {{-1, 0}}, {{0, 1}}, {{0, -1}}})
-          at_edge =
-            at_edge || numbers.count({{cell.place[0] + step[0], cell.place[1] + step[1]}}) == 0;
+          {
+            const std::array<int, 2> place{{cell.place[0] + step[0], cell.place[1] + step[1]}};
+            at_edge =
+              at_edge || (numbers.count(place) == 0 && std::abs(place[0]) <= plane.reach[0] &&
+                          std::abs(place[1]) <= plane.reach[1]);
+          }
         found.at_edge.push_back(at_edge);
         auto &across =
           ends.try_emplace(cell.place[0], std::array<int, 2>{{cell.place[1], cell.place[1]}})
@@ -207,7 +215,11 @@ namespace vfife
     finer.along          = (along - finer.normal * finer.normal.dot(along)).normalized();
     finer.across         = finer.normal.cross(finer.along);
     const double stretch = std::min(std::max(found.length / (3. * found.width), 1.), most_stretch);
-    finer.sides          = Vector2(stretch, 1.) * (found.width / n);
+    const double across =
+      std::max(found.width / n, least_side * contact->surfaces.slave->mean_facet_size());
+    finer.sides = Vector2(stretch, 1.) * across;
+    finer.reach =
+      reached * std::max(found.length, found.width) * finer.sides.cwiseInverse() + Vector2(2., 2.);
     return finer;
   }
 

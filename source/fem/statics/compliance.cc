@@ -9,8 +9,6 @@
 #include <vfife/fem/system/spin_state.h>
 #include <vfife/fem/system/turn_pins.h>
 
-#include <Eigen/LU>
-
 #include <algorithm>
 
 namespace vfife
@@ -19,40 +17,6 @@ namespace vfife
   {
     /** Right sides solved for at once. */
     constexpr unsigned int block = 32;
-
-    constexpr unsigned int n_motions = 4;
-
-    bool hangs_in_bearings(const Model &model, const unsigned int body)
-    {
-      const auto of_body = [body](const auto &part) { return part.body == body; };
-      return std::any_of(model.bearings.begin(), model.bearings.end(), of_body) &&
-             std::none_of(model.constraints.begin(), model.constraints.end(), of_body);
-    }
-
-    /** Shifts across the axis and tilts, these with 1 mm at the farthest point. */
-    std::vector<std::vector<double>> make_motions(const FemSpace &d, const FemSpace::Part &part)
-    {
-      const Axis &axis = d.model().bodies[part.body].axis;
-      double      size = 0;
-      for (unsigned int p = part.first_point; p < part.first_point + part.n_points; ++p)
-        size = std::max(size, (d.points()[p] - axis.point).norm());
-      const auto                       rigid  = make_rigid_motions(d, part, axis.point);
-      const Matrix3                    across = axes_along(axis.direction);
-      std::vector<std::vector<double>> motions(n_motions,
-                                               std::vector<double>(rigid.front().size(), 0.));
-      for (unsigned int m = 0; m < n_motions; ++m)
-        for (unsigned int c = 0; c < 3; ++c)
-          for (std::size_t i = 0; i < motions[m].size(); ++i)
-            motions[m][i] += across(c, m % 2) * (m < 2 ? rigid[c][i] : rigid[3 + c][i] / size);
-      return motions;
-    }
-
-    /** Values at the points of a part. */
-    Eigen::Map<const Eigen::RowVectorXd> of_part(const std::vector<double> &field,
-                                                 const FemSpace::Part      &part)
-    {
-      return {field.data() + 3 * std::size_t(part.first_point), 3 * Eigen::Index(part.n_points)};
-    }
   } // namespace
 
   Compliance::Compliance(const Model        &model,
@@ -89,9 +53,6 @@ namespace vfife
 
   bool Compliance::factorize_sectors(const FemOptions &options, const bool centrifugal)
   {
-    // Laws of bearings are asked for ring by ring, and joined by those who ask.
-    if (!model_.bearings.empty() || !model_.couplings.empty())
-      return false;
     FemOptions turning = options;
     turning.hold_hubs  = false;
     try
@@ -99,11 +60,20 @@ namespace vfife
         for (const FemSpace::Part &part : space_.parts())
           {
             const double rate = centrifugal ? model_.bodies[part.body].rate : 0.;
-            sectors_.push_back(
-              {std::make_unique<CyclicStatics>(space_, part, turning, rate, communicator_),
-               3 * std::size_t(part.first_point),
-               3 * std::size_t(part.n_points),
-               {}});
+            sectors_.push_back({std::make_unique<CyclicStatics>(
+                                  space_, part, turning, rate, make_supports(part), communicator_),
+                                3 * std::size_t(part.first_point),
+                                3 * std::size_t(part.n_points),
+                                {}});
+            if (rate == 0. || !hangs_in_bearings(model_, part.body))
+              continue;
+            const CyclicStatics &statics = *sectors_.back().statics;
+            if (auto standing = find_standing_motion(
+                  space_,
+                  part,
+                  [&](const auto &u) { return statics.apply_stiffness(u); },
+                  [&](const auto &u) { return statics.apply_mass(u); }))
+              standing_.push_back(std::move(*standing));
           }
       }
     catch (const InputError &)
@@ -111,6 +81,7 @@ namespace vfife
         // A body without equal sectors, or something that is not alike in all of them: no error
         // here. What is one is met again by the whole bodies.
         sectors_.clear();
+        standing_.clear();
         return false;
       }
     for (const SectorBody &body : sectors_)
@@ -120,6 +91,29 @@ namespace vfife
         std::copy(spun.begin(), spun.end(), spun_.begin() + body.first);
       }
     return true;
+  }
+
+  BodySupports Compliance::make_supports(const FemSpace::Part &part) const
+  {
+    const auto rate         = [this](const unsigned int body) { return model_.bodies[body].rate; };
+    const Eigen::MatrixXd K = rings_.stiffness(rate) + make_turn_pins(space_, rings_, pinned_);
+    // Rings have their own seats, and those of other bodies do not meet them.
+    BodySupports              supports;
+    std::vector<Eigen::Index> rows;
+    for (std::size_t i = 0; i < rings_.list().size(); ++i)
+      if (rings_.list()[i].body == part.body)
+        {
+          supports.motions.push_back(rings_.list()[i]);
+          for (unsigned int &point : supports.motions.back().points)
+            point -= part.first_point;
+          for (unsigned int c = 0; c < 6; ++c)
+            rows.push_back(6 * i + c);
+        }
+    supports.stiffness.resize(rows.size(), rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (std::size_t j = 0; j < rows.size(); ++j)
+        supports.stiffness(i, j) = K(rows[i], rows[j]);
+    return supports;
   }
 
   void Compliance::factorize_bodies(const FemOptions &options, const bool centrifugal)
@@ -144,7 +138,7 @@ namespace vfife
     // The factors that are left are those of the state of spin.
     spun_ =
       find_spin_state(matrices, rate_of_state, true, 0., "the bodies", [&](const FemMatrix &K) {
-        standing_ = find_standing_motions(matrices, K, rate_of_state);
+        find_standing_motions(matrices, K, rate_of_state);
         // Shifts and tilts may be faster than their bearings allow.
         factorize(K, 4 * standing_.size());
         return [this](OwnedVector &q) { solver_->solve(q.data(), 1); };
@@ -206,8 +200,10 @@ namespace vfife
         std::vector<double> all(forces.size());
         for (const SectorBody &body : sectors_)
           {
-            const auto                begin = forces.begin() + body.first;
-            const std::vector<double> u     = body.statics->solve({begin, begin + body.n});
+            const auto begin = forces.begin() + body.first;
+            if (std::all_of(begin, begin + body.n, [](const double f) { return f == 0.; }))
+              continue;
+            const std::vector<double> u = body.statics->solve({begin, begin + body.n});
             std::copy(u.begin(), u.end(), all.begin() + body.first);
           }
         return all;
@@ -305,14 +301,27 @@ namespace vfife
     missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
     n_prepared_ += missing.size();
 
-    if (!by_sectors())
-      add_columns(missing);
+    if (by_sectors())
+      prepare_sectors(missing);
     else
-      for (const unsigned int row : missing)
-        if (motions_.empty())
+      add_columns(missing);
+  }
+
+  void Compliance::prepare_sectors(const std::vector<unsigned int> &rows)
+  {
+    // Motions are few and none of them is a copy of another. How points move them follows from
+    // how they move points.
+    const std::size_t first = first_motion_row(), n = columns_.size();
+    for (std::size_t row = first; row < n && !rows.empty(); ++row)
+      if (columns_[row].size() == 0)
+        columns_[row] = at_rows(solve(spread(Eigen::VectorXd::Unit(n, row))));
+    for (const unsigned int row : rows)
+      if (row < first)
+        {
           add_column(row);
-        else
-          columns_[row] = at_rows(solve(spread(Eigen::VectorXd::Unit(columns_.size(), row))));
+          for (std::size_t motion = first; motion < n; ++motion)
+            columns_[row][motion] = columns_[motion][row];
+        }
   }
 
   void Compliance::add_column(const unsigned int row)
@@ -353,51 +362,43 @@ namespace vfife
       }
   }
 
-  std::vector<StandingMotion> find_standing_motions(const SystemMatrices       &matrices,
-                                                    const FemMatrix            &stiffness,
-                                                    const SystemMatrices::Rate &rate)
+  void Compliance::find_standing_motions(const SystemMatrices       &matrices,
+                                         const FemMatrix            &stiffness,
+                                         const SystemMatrices::Rate &rate)
   {
-    const FemSystem            &system   = matrices.system();
-    const FemSpace             &d        = system.space();
-    const Eigen::MatrixXd       bearings = system.rings().stiffness(rate);
-    std::vector<StandingMotion> all;
-    for (const FemSpace::Part &part : d.parts())
+    standing_.clear();
+    const SparseMatrix    K(stiffness);
+    const Eigen::MatrixXd bearings = rings_.stiffness(rate);
+    for (const FemSpace::Part &part : space_.parts())
       {
-        if (rate(part.body) == 0. || !hangs_in_bearings(d.model(), part.body))
+        if (rate(part.body) == 0. || !hangs_in_bearings(model_, part.body))
           continue;
-        const SparseMatrix K(stiffness);
-        const auto         motions = make_motions(d, part);
-        const Eigen::Index n       = 3 * Eigen::Index(part.n_points);
-        Eigen::MatrixXd    r(n_motions, n), w(n_motions, n), mean(n_motions, n);
-        for (unsigned int m = 0; m < n_motions; ++m)
-          {
-            // 1. Forces of the motion but for those of the bearings. A body without constraints has
-            // its displacements for unknowns.
-            std::vector<double> forces = system.expand(K.apply(system.restrict_field(motions[m])));
-            system.rings().add_forces(-bearings * system.rings().displacement(motions[m]), forces);
-            r.row(m)    = of_part(motions[m], part);
-            w.row(m)    = of_part(forces, part);
-            mean.row(m) = of_part(system.expand(matrices.apply_mass(motions[m])), part);
-          }
-        // 2. Mean motions, weighted with mass: Phi = (r^T M r)^-1 r^T M.
-        mean                          = (mean * r.transpose()).eval().inverse() * mean;
-        const Eigen::MatrixXd work    = r * w.transpose();
-        const double          measure = work.cwiseAbs().maxCoeff();
-        if (measure == 0.)
-          continue;
-        // 3. Rows Phi u and, in the same unit, w u.
-        StandingMotion standing;
-        standing.body = part.body;
-        for (unsigned int p = part.first_point; p < part.first_point + part.n_points; ++p)
-          standing.points.push_back(p);
-        standing.motion.resize(2 * n_motions, n);
-        standing.motion << mean, w / measure;
-        const Eigen::MatrixXd one = measure * Eigen::MatrixXd::Identity(n_motions, n_motions);
-        standing.stiffness.resize(2 * n_motions, 2 * n_motions);
-        standing.stiffness << .5 * (work + work.transpose()), -one, -one,
-          Eigen::MatrixXd::Zero(n_motions, n_motions);
-        all.push_back(standing);
+        const std::size_t first = 3 * std::size_t(part.first_point),
+                          n     = 3 * std::size_t(part.n_points);
+        std::vector<double> all(spun_.size(), 0.);
+        const auto          apply = [&](const std::vector<double> &u, const auto &system) {
+          std::copy(u.begin(), u.end(), all.begin() + first);
+          const std::vector<double> forces = system(all);
+          return std::vector<double>(forces.begin() + first, forces.begin() + first + n);
+        };
+        // A body without constraints has its displacements for unknowns.
+        auto standing = find_standing_motion(
+          space_,
+          part,
+          [&](const std::vector<double> &u) {
+            return apply(u, [&](const std::vector<double> &field) {
+              std::vector<double> forces = system_->expand(K.apply(system_->restrict_field(field)));
+              rings_.add_forces(-bearings * rings_.displacement(field), forces);
+              return forces;
+            });
+          },
+          [&](const std::vector<double> &u) {
+            return apply(u, [&](const std::vector<double> &field) {
+              return system_->expand(matrices.apply_mass(field));
+            });
+          });
+        if (standing)
+          standing_.push_back(std::move(*standing));
       }
-    return all;
   }
 } // namespace vfife

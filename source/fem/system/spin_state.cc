@@ -40,9 +40,20 @@ namespace vfife
     };
     // Bodies that are softened may be stable under their stresses only: the stiffness at rest is
     // not softened, and brings the state within reach of its own tangent.
-    state.solve       = prepare(with_bed(matrices.stiffness(rate)));
-    bool   is_at_rest = true;
-    double before     = 0;
+    state.solve                    = prepare(with_bed(matrices.stiffness(rate)));
+    bool                is_at_rest = true;
+    std::vector<double> prepared; // displacements of the tangent
+    const auto          prepare_tangent = [&]() {
+      state.solve = nullptr; // its memory first
+      state.solve = prepare(
+        with_bed(softening ? matrices.spinning_stiffness(state.displacements, rate)
+                           : add_scaled(matrices.spinning_stiffness(state.displacements, rate),
+                                        1.,
+                                        matrices.spin_mass(rate))));
+      prepared   = state.displacements;
+      is_at_rest = false;
+    };
+    double before = 0;
     for (unsigned int step = 0; step < largest_steps; ++step)
       {
         OwnedVector q = matrices.spinning_residual(state.displacements, rate, softening);
@@ -55,19 +66,16 @@ namespace vfife
         if (!std::isfinite(size))
           refuse();
         if (!is_at_rest && length <= tolerance * size)
-          return state;
+          {
+            // Whoever solves with it next asks for the tangent of the state itself.
+            if (norm(add_scaled(std::move(prepared), -1., state.displacements)) > near * size)
+              prepare_tangent();
+            return state;
+          }
         // The first step has none before it; it comes near where strains are small.
         const bool is_slow = step > 0 && length > slow * before;
         if ((is_at_rest && length <= near * size) || is_slow)
-          {
-            state.solve = nullptr; // its memory first
-            state.solve = prepare(with_bed(
-              softening ? matrices.spinning_stiffness(state.displacements, rate)
-                        : add_scaled(matrices.spinning_stiffness(state.displacements, rate),
-                                     1.,
-                                     matrices.spin_mass(rate))));
-            is_at_rest  = false;
-          }
+          prepare_tangent();
         before = length;
       }
     refuse();

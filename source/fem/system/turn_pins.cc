@@ -3,6 +3,7 @@
 #include <vfife/fem/system/turn_pins.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace vfife
@@ -34,31 +35,41 @@ namespace vfife
     return whole - along * along / turn < 1e-8 * whole;
   }
 
+  Eigen::MatrixXd make_turn_pins(const FemSpace                  &space,
+                                 const BearingRings              &rings,
+                                 const std::vector<unsigned int> &bodies)
+  {
+    const std::size_t      n    = 6 * rings.list().size();
+    Eigen::MatrixXd        pins = Eigen::MatrixXd::Zero(n, n);
+    std::set<unsigned int> done;
+    for (std::size_t r = 0; r < rings.list().size(); ++r)
+      {
+        const BearingRing &ring = rings.list()[r];
+        if (std::find(bodies.begin(), bodies.end(), ring.body) == bodies.end() ||
+            !done.insert(ring.body).second)
+          continue;
+        const Axis &axis   = space.model().bodies[ring.body].axis;
+        double      square = 0; // of the radius, the mean
+        // A sector's ring counts points of both copies.
+        for (const unsigned int p : ring.points)
+          square +=
+            axis.direction.cross(space.points()[p % space.n_points()] - axis.point).squaredNorm() /
+            ring.points.size();
+        const Material &material = space.material(space.find_part(ring.body)->first_element);
+        pins.block<3, 3>(6 * r + 3, 6 * r + 3) =
+          material.mu() * std::pow(square, 1.5) * axis.direction * axis.direction.transpose();
+      }
+    return pins;
+  }
+
   FemMatrix
   add_turn_pins(const FemSystem &system, const std::vector<unsigned int> &bodies, FemMatrix K)
   {
     if (bodies.empty())
       return K;
-    const FemSpace        &d         = system.space();
-    const double           stiffness = system.mean_diagonal(K);
-    std::set<unsigned int> done;
     // The points of a ring are coupled anyway.
-    const std::vector<BearingRing> &rings = system.rings().list();
-    Eigen::MatrixXd pins = Eigen::MatrixXd::Zero(6 * rings.size(), 6 * rings.size());
-    for (std::size_t r = 0; r < rings.size(); ++r)
-      {
-        const BearingRing &ring = rings[r];
-        if (std::find(bodies.begin(), bodies.end(), ring.body) == bodies.end() ||
-            !done.insert(ring.body).second)
-          continue;
-        const Axis &axis   = d.model().bodies[ring.body].axis;
-        double      square = 0;
-        for (const unsigned int p : ring.points)
-          square +=
-            axis.direction.cross(d.points()[p] - axis.point).squaredNorm() / ring.points.size();
-        pins.block<3, 3>(6 * r + 3, 6 * r + 3) =
-          stiffness * square * axis.direction * axis.direction.transpose();
-      }
-    return add_scaled(std::move(K), 1., system.ring_matrix(pins));
+    return add_scaled(std::move(K),
+                      1.,
+                      system.ring_matrix(make_turn_pins(system.space(), system.rings(), bodies)));
   }
 } // namespace vfife

@@ -189,7 +189,7 @@ namespace vfife
         const Model model = pair_case_->make_model(log);
         require_reducible(model);
         RootStress(model, fillets_);
-        options_.choose_elements(affords_quadratic_elements(model), log);
+        options_.choose_elements(model, log);
         check_instants(model);
         log.line("penalty ",
                  pair_case_->leaves_penalty_open() ? "from " : "",
@@ -417,7 +417,7 @@ namespace vfife
       const Communicator &communicator = folder.communicator();
       Model               model        = pair_case_->make_model(log);
       require_reducible(model);
-      options_.choose_elements(affords_quadratic_elements(model), log);
+      options_.choose_elements(model, log);
       check_instants(model); // before the reduction, which takes longer
       const auto   settled      = settle_penalties(*pair_case_, fem(), communicator, log, model);
       const double mean_penalty = model.contacts.front().mean_penalty();

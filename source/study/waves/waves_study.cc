@@ -126,7 +126,7 @@ namespace vfife
       /** Lines that runs repeat have the elements of runs. */
       void choose_elements(const Model &model, Log &log)
       {
-        reduced_.choose_elements(!drives_runs() && affords_quadratic_elements(model), log);
+        reduced_.choose_elements(model, log, drives_runs());
       }
       void check_run() const;
       /** Mesh frequency at a speed of the driver [rad/s]. */

@@ -12,11 +12,13 @@
 
 namespace vfife
 {
-  /** A stiffness that is added against the turn of all borders about the axis. */
-  struct TurnOfBorders
+  /** A stiffness that is added against a motion of all borders, x_k = Re(motion exp(i h k alpha))
+   * on border k: in this harmonic stiffness motion motion^H. */
+  struct BorderBrace
   {
-    Eigen::VectorXd motion;        ///< of border 0; empty: nothing is added
-    double          stiffness = 0; ///< times motion motion^T, in h = 0
+    unsigned int     harmonic = 0;
+    Eigen::VectorXcd motion; ///< of border 0
+    double           stiffness = 0;
   };
 
   /**
@@ -29,10 +31,10 @@ namespace vfife
   public:
     /** @p S: stiffness of one sector's borders, those of border 0 first. The communicator must
      * outlive the object. */
-    BorderHarmonics(const Eigen::MatrixXd &S,
-                    unsigned int           n_sectors,
-                    const TurnOfBorders   &turn,
-                    const Communicator    &communicator);
+    BorderHarmonics(const Eigen::MatrixXd          &S,
+                    unsigned int                    n_sectors,
+                    const std::vector<BorderBrace> &braces,
+                    const Communicator             &communicator);
 
     /** Whether all matrices of this rank are positive definite; otherwise nothing can be solved. */
     bool is_positive() const
@@ -61,8 +63,9 @@ namespace vfife
       unsigned int    number;
       HermitianFactor factor;
     };
-    Eigen::MatrixXcd
-    make_matrix(const Eigen::MatrixXd &S, unsigned int number, const TurnOfBorders &turn) const;
+    Eigen::MatrixXcd make_matrix(const Eigen::MatrixXd          &S,
+                                 unsigned int                    number,
+                                 const std::vector<BorderBrace> &braces) const;
     /** Of the harmonic's real part in a sum over all of them. */
     double weight(unsigned int harmonic) const;
 

@@ -67,6 +67,11 @@ namespace vfife
       return rate_;
     }
 
+    /** Whether it spins or has initial strains. */
+    bool deforms() const
+    {
+      return rotating_.deforms_at(rate_);
+    }
     /** Displacements of the sector's points in the state of spin and initial strains, as K is taken
      * about them [mm]. */
     const std::vector<double> &equilibrium() const

@@ -6,6 +6,7 @@
 #include <vfife/contact/surface/surface_geometry.h>
 
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace vfife
@@ -25,6 +26,8 @@ namespace vfife
     Vector3 origin = Vector3::Zero(), normal = Vector3::UnitZ();
     Vector3 along = Vector3::UnitX(), across = Vector3::UnitY();
     Vector2 sides = Vector2::Ones();
+    /** Cells up to these places are looked at. */
+    Vector2 reach = Vector2::Constant(std::numeric_limits<double>::infinity());
   };
 
   /** Where a cell lies on one of the surfaces. */

@@ -7,6 +7,7 @@
 #include <vfife/fem/solvers/direct_solver.h>
 #include <vfife/fem/statics/facet_parts.h>
 #include <vfife/fem/statics/node_averages.h>
+#include <vfife/fem/statics/standing_motion.h>
 #include <vfife/fem/system/system_matrices.h>
 
 #include <memory>
@@ -14,32 +15,6 @@
 
 namespace vfife
 {
-  /**
-   * What the stiffness K(u_s) - Omega^2 S of a spinning body lacks for rigid motions that stand in
-   * space (doc/theory/fem.md, Pair in bearings). A shaft that is shifted or tilted spins on about
-   * its displaced axis, at no force; in turning axes that do not see the motion turn back, such
-   * motions r have the forces w = (K(u_s) - Omega^2 S) r, bearings left out. With rows Phi of a
-   * mean motion, Phi r = 1, the springs
-   *
-   *   C = Phi^T (r^T w) Phi - Phi^T w^T - w Phi
-   *
-   * take them back, C r = -w, and leave alone what deforms the body within itself.
-   */
-  struct StandingMotion : public PointMotion
-  {
-    unsigned int    body = 0;  ///< of the model
-    Eigen::MatrixXd stiffness; ///< of these motions; indefinite [N/mm]
-  };
-
-  /**
-   * Of bodies that turn, hang in bearings and have no constraints: shifts and tilts across the
-   * axis.
-   * @p stiffness: K(u_s) - Omega^2 S with that of the bearings. Collective.
-   */
-  std::vector<StandingMotion> find_standing_motions(const SystemMatrices       &matrices,
-                                                    const FemMatrix            &stiffness,
-                                                    const SystemMatrices::Rate &rate);
-
   /** What a Compliance factorizes; the answers are the same. */
   enum class Factorized
   {
@@ -178,10 +153,16 @@ namespace vfife
       std::vector<unsigned int>      watched; ///< places of its points among the watched ones
     };
 
-    void check_motions();
-    bool factorize_sectors(const FemOptions &options, bool centrifugal);
-    void factorize_bodies(const FemOptions &options, bool centrifugal);
-    void factorize(FemMatrix K, unsigned int n_whirls);
+    void         check_motions();
+    bool         factorize_sectors(const FemOptions &options, bool centrifugal);
+    BodySupports make_supports(const FemSpace::Part &part) const;
+    void         factorize_bodies(const FemOptions &options, bool centrifugal);
+    void         factorize(FemMatrix K, unsigned int n_whirls);
+    /** Of @p matrices and their @p stiffness about a state of spin. */
+    void find_standing_motions(const SystemMatrices       &matrices,
+                               const FemMatrix            &stiffness,
+                               const SystemMatrices::Rate &rate);
+    void prepare_sectors(const std::vector<unsigned int> &rows);
     void add_column(unsigned int row);
     void add_columns(const std::vector<unsigned int> &rows);
 

@@ -16,10 +16,16 @@ namespace vfife
   is_turn(const FemSpace &space, const FemSpace::Part &part, const std::vector<double> &motion);
 
   /**
-   * K with a torsional spring on the first bearing of each of @p bodies, which turn freely in
-   * their bearings: it carries nothing where loads have no moment about the axis, so that its
-   * stiffness (the mean entry of K at the ring's radius) does not matter. Collective.
+   * Torsional springs on the first bearing of each of @p bodies, which turn freely in their
+   * bearings, over the motions of all @p rings: they carry nothing where loads have no moment about
+   * the axis, so that their stiffness (the shear modulus times the cube of the ring's radius) does
+   * not matter [N/mm, N, N mm].
    */
+  Eigen::MatrixXd make_turn_pins(const FemSpace                  &space,
+                                 const BearingRings              &rings,
+                                 const std::vector<unsigned int> &bodies);
+
+  /** K with these springs. Collective. */
   FemMatrix
   add_turn_pins(const FemSystem &system, const std::vector<unsigned int> &bodies, FemMatrix K);
 } // namespace vfife
