@@ -356,6 +356,25 @@ void check_edge(const double        distance,
     }
 }
 
+/** Blocks whose nearest places lie beyond a corner of both: it touches under the least force, on an
+ * area that is some thousandths of a facet wide. The grid has no cells on the rest of the flank. */
+void check_touching_corner(const Communicator &communicator)
+{
+  const double                width = 6.;
+  const Vector2               beyond(width, width);
+  const std::array<Curved, 2> shapes{
+    {{Vector2(.01, .01), beyond, 1.}, {Vector2(.02, .02), beyond, -1.}}};
+  Blocks             blocks(shapes, {{4, 4}}, width, 0., communicator);
+  const GridPressure found = blocks.press(1e-4, 16);
+  check_ratio("touching corner, force", found.force / 1e-4, 1e-10);
+  check_below("touching corner, width [mm]", found.width, 1e-2);
+  check("touching corner, cells", found.cells.size() < 1000);
+  check("touching corner, at an edge", found.at_edge[found.largest()]);
+  if (verbose)
+    std::cerr << "touching corner: " << found.cells.size() << " cells, width " << found.width
+              << std::endl;
+}
+
 /** Beyond two edges of a plate that meet at a corner the quarter between them is filled, once. */
 void check_corner_layer()
 {
@@ -510,6 +529,7 @@ int main(int argc, char **argv)
   // The same of those at a corner.
   check_edge(.5, true, 2.076, 1.2, world);
   check_edge(1., true, 1.593, 1.2, world);
+  check_touching_corner(world);
   check_corner_layer();
   check_chamfer_layer();
   check_converging_layer();

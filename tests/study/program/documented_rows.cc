@@ -1,91 +1,13 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Rows of tables of doc/verification, made again: the cheapest row of each table that no other test
-// makes; and the column of the coarse mesh of the errors by default. The numbers are those of the
-// pages, read from there, and have to agree within one unit of their last digit;
-// contrib/check_pages asks for such a row of every table.
-#include "../../parts.h"
-#include "../../read_files.h"
-#include "../quick_pair.h"
+// makes. contrib/check_pages asks for such a row of every table.
+#include "documented_page.h"
 
 #include <vfife/base/types.h>
-#include <vfife/study/sweep/history_figure.h>
 
 #include <complex>
-#include <regex>
 
 using namespace vfife;
-
-const std::string element_page  = "verification/element.md",
-                  dynamics_page = "verification/dynamics.md",
-                  pair_page     = "verification/gear-pair.md",
-                  paper         = "verification/case-study-27-79.md",
-                  default_page  = "how-to/choose-the-mesh.md";
-
-/** The page of gear pairs states the coarse pair with them. */
-const std::string three_points = "Contact/points per facet=3";
-
-/** A number of a page and what its last digit counts. */
-struct Stated
-{
-  double value = std::nan(""), last_digit = 0.;
-};
-
-/** The numbers of a cell of a table in turn: "**1.7**, 3.8e-3 %" are 1.7 and 3.8e-3. */
-std::vector<Stated> numbers_in(const std::string &cell)
-{
-  static const std::regex number("[+-]?([0-9]+)(\\.([0-9]+))?(e([+-]?[0-9]+))?");
-  std::vector<Stated>     numbers;
-  for (std::sregex_iterator found(cell.begin(), cell.end(), number), none; found != none; ++found)
-    numbers.push_back({std::stod(found->str()),
-                       std::pow(10.,
-                                ((*found)[5].matched ? std::stod((*found)[5]) : 0.) -
-                                  static_cast<double>((*found)[3].length()))});
-  return numbers;
-}
-
-/** Cells of the first row of a page that begins with @p beginning, behind the heading. */
-std::vector<std::string>
-row_of(const std::string &page, const std::string &heading, const std::string &beginning)
-{
-  std::ifstream            file(tree_folder() + "/doc/" + page);
-  std::vector<std::string> cells;
-  bool                     here = false;
-  for (std::string line; cells.empty() && std::getline(file, line);)
-    {
-      here = here || has_text(line, heading);
-      if (!here || line.rfind("| " + beginning, 0) != 0)
-        continue;
-      std::istringstream row(line.substr(1));
-      for (std::string cell; std::getline(row, cell, '|');)
-        cells.push_back(cell);
-    }
-  check(page + ", " + beginning, !cells.empty());
-  cells.resize(20);
-  return cells;
-}
-
-/** The @p i-th number of a cell against what is found now. */
-void compare(const std::string &name,
-             const std::string &cell,
-             const std::size_t  i,
-             const double       found)
-{
-  std::vector<Stated> stated = numbers_in(cell);
-  stated.resize(std::max(stated.size(), i + 1));
-  check_close("  " + name, found, stated[i].value, 1.001 * stated[i].last_digit);
-}
-
-/** Does a case of prm/, or of this folder, with other entries. */
-std::string
-do_case(const std::string &file, const std::vector<std::string> &overrides, Communicator &world)
-{
-  const std::string folder = "documented";
-  run_pair(file.rfind("prm/", 0) == 0 ? tree_folder() + "/" + file : file,
-           folder,
-           world,
-           overrides);
-  return folder + "/";
-}
 
 /** Histories of a case, a sample every step. */
 Columns run_case(const std::string &file, std::vector<std::string> overrides, Communicator &world)
@@ -267,85 +189,6 @@ void loaded_pair(Communicator &world)
   check("  all of them", n == numbers_in(row[1]).size());
 }
 
-/** The table of default errors, coarse mesh: a loaded analysis as it is, and with a fillet. */
-void default_errors(Communicator &world)
-{
-  nlohmann::json figures;
-  const auto     analyse = [&](std::vector<std::string> entries) {
-    entries.insert(entries.end(), {"Output/report=no"});
-    figures =
-      read_json(do_case("prm/fem/loaded_spiral_bevel_quick.prm", entries, world) + "figures.json");
-  };
-  const auto compare_row = [&](const std::string                        &beginning,
-                               const std::initializer_list<const char *> names) {
-    const auto  row = row_of(default_page, "## How wrong", beginning);
-    std::size_t i   = 0;
-    for (const char *name : names)
-      compare(name, row[1], i++, figures.at(name).at("value").get<double>());
-  };
-  analyse({});
-  compare_row("mean transmission error", {"transmission error mean"});
-  compare_row("peak to peak", {"transmission error peak to peak"});
-  compare_row("largest pressure", {"largest pressure inside on its own grid"});
-  compare_row("root tension", {"pinion root tension", "gear root tension"});
-  compare_row("root compression", {"pinion root compression", "gear root compression"});
-  compare_row("largest von Mises stress of the web", {"web von mises largest"});
-  analyse({"Gear pair/Gear/Body/hub fillet radius=2 mm", "Loaded contact/positions=1"});
-  compare_row("tension of the web at the hub", {"gear hub fillet tension"});
-}
-
-/** The coarse reference pair at speed by reduced bodies, and what the page of the mesh says. */
-void at_speed(Communicator &world)
-{
-  const auto        row = row_of(pair_page, "### Elements at speed", "as the run");
-  const std::string folder =
-    do_case("prm/reduced/spiral_bevel_quick.prm",
-            {"Operation/mesh cycles=40", "Reduced/element type=as the run", "Output/report=no"},
-            world);
-  const Columns         history = read_columns(folder + "history.csv");
-  const nlohmann::json  figures = read_json(folder + "summary.json").at("figures");
-  constexpr double      begin   = 30. / 9000.; // of the last ten mesh cycles [s]
-  std::array<double, 2> error = {{1e9, -1e9}}, force = error;
-  double                sum   = 0;
-  std::size_t           n     = 0;
-  const auto            widen = [](std::array<double, 2> &range, const double value) {
-    range = {{std::min(range[0], value), std::max(range[1], value)}};
-  };
-  for (std::size_t i = 0; i < history.at("time").size(); ++i)
-    if (history.at("time")[i] > begin)
-      {
-        widen(error, history.at("dte")[i]);
-        widen(force, history.at("contact force total")[i]);
-        sum += history.at("dte")[i];
-        ++n;
-      }
-  compare(
-    "at rest [arcsec]",
-    row[1],
-    0,
-    figures.at("mean transmission error at rest, quadratic elements").at("value").get<double>());
-  compare("mean [arcsec]", row[2], 0, sum / n);
-  compare("peak to peak [arcsec]", row[2], 1, error[1] - error[0]);
-  compare("contact force, peak to peak [N]", row[3], 0, force[1] - force[0]);
-  const auto by_default = [](const std::string &beginning) {
-    return row_of(default_page, "Further results", beginning)[1];
-  };
-  compare("page of the mesh: mean [arcsec]", by_default("mean at 20,000 rpm"), 0, sum / n);
-  const Table table        = read_result_table(folder + "history.csv");
-  const auto  of_mean_mesh = [&](const char *column) {
-    HistoryFigure value;
-    value.column = column;
-    value.value  = FigureValue::periodic_peak_to_peak;
-    value.from   = begin;
-    return value.compute(table).value;
-  };
-  compare("mean mesh cycle [arcsec]", by_default("peak to peak of the"), 0, of_mean_mesh("dte"));
-  compare("force [N]",
-          by_default("sum of the contact forces"),
-          0,
-          of_mean_mesh("contact force total"));
-}
-
 /** The equilibrium before the run of the coarse reference pair, with and without its web. */
 void paper_pair(Communicator &world)
 {
@@ -406,7 +249,5 @@ int main(int argc, char **argv)
                     spinning_block,
                     bars_and_beams,
                     loaded_pair,
-                    default_errors,
-                    at_speed,
                     paper_pair});
 }
