@@ -68,9 +68,10 @@ namespace vfife
 
   void CyclicStatics::factorize()
   {
-    const FemMatrix K                     = body_.stiffness(*matrices_);
-    stiffness_                            = std::make_unique<SparseMatrix>(K);
-    condensed_                            = std::make_unique<Condensation>(K, border_);
+    const FemMatrix K = body_.stiffness(*matrices_);
+    condensed_        = std::make_unique<Condensation>(K, border_);
+    if (!supports_.motions.empty())
+      stiffness_ = std::make_unique<SparseMatrix>(K);
     const Eigen::MatrixXd         &S      = condensed_->border_matrix();
     const std::vector<BorderBrace> braces = make_braces(S);
     bool unstable = condensed_->n_negative() > 0 || condensed_->n_zero() > 0;

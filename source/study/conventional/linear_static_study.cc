@@ -355,6 +355,7 @@ namespace vfife
                    "stress stiffness",
                    stress_stiffness,
                    "Includes stress stiffening by centrifugal stresses");
+    pressed_flank.declare(prm);
     const Subsection adaptive(prm, "Adaptive refinement");
     declare_text(prm,
                  "result",
@@ -380,6 +381,10 @@ namespace vfife
   {
     if (!at_time && time != 0)
       throw InputError("Linear static/time", "histories are read with loads = at time only");
+    if (pressed_flank.acts() && !adapted_result.empty())
+      throw InputError("Linear static/Adaptive refinement/result",
+                       "expected no result with a pressed flank, got \"" + adapted_result +
+                         "\". Set Fem/local refinement instead.");
   }
 
   StaticLoads LinearStaticOptions::loads() const
@@ -420,6 +425,9 @@ namespace vfife
     Model model = case_->make_model(log);
     refuse_what_is_not_linear(model);
     check_distributed(fem_, model, find_chosen_bodies(fem_, model), options_.centrifugal);
+    options_.pressed_flank.check(model);
+    if (options_.pressed_flank.acts() && fem_.distributed)
+      throw InputError("Fem/distributed", "expected no with a pressed flank, got yes. Set no.");
     return model;
   }
 
@@ -507,6 +515,16 @@ namespace vfife
     const Model model   = make_model(log);
     RunSummary  summary = start_summary("linear static", model, folder);
     const auto  start   = WallClock::now();
+    if (options_.pressed_flank.acts())
+      {
+        FemOptions fem = fem_;
+        fem.choose_elements(affords_quadratic_elements(model), log);
+        summary.figures = solve_pressed_flank(
+          model, options_.pressed_flank, fem, options_.centrifugal, folder, log);
+        summary.run_time = seconds_since(start);
+        write_summary(folder, summary, log);
+        return;
+      }
 
     // 1. Loads, and how hubs are held that turn freely.
     StaticLoads loads    = options_.loads();

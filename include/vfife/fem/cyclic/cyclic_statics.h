@@ -120,8 +120,8 @@ namespace vfife
     HubRotation                      hub_ = HubRotation::pinned; ///< of the sector's unknowns
     std::unique_ptr<FemSystem>       sector_; ///< open: its images are points of their own
     std::unique_ptr<SystemMatrices>  matrices_;
-    std::unique_ptr<SparseMatrix>    stiffness_;
-    std::vector<unsigned int>        border_; ///< its unknowns on border 0, then on border 1
+    std::unique_ptr<SparseMatrix>    stiffness_; ///< on supports
+    std::vector<unsigned int>        border_;    ///< its unknowns on border 0, then on border 1
     std::unique_ptr<Condensation>    condensed_;
     std::unique_ptr<BorderHarmonics> borders_;
 

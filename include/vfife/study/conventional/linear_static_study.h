@@ -4,6 +4,7 @@
 
 #include <vfife/base/text/table.h>
 #include <vfife/fem/statics/static_solver.h>
+#include <vfife/study/fillets/pressed_flank.h>
 
 #include <string>
 
@@ -17,6 +18,8 @@ namespace vfife
     bool   centrifugal      = true;  ///< on bodies that turn
     bool   spin_softening   = true;
     bool   stress_stiffness = true;
+
+    PressedFlankOptions pressed_flank;
 
     /** Section Adaptive refinement: steps end when this result changes by less than the tolerance
      * from mesh to mesh; empty: one mesh. */
